@@ -28,6 +28,10 @@ from .model.solution import Solution as Solution
 from .model.unit_normal import UnitNormal as UnitNormal, unit_normal as unit_normal
 from .modes import ContactModes as ContactModes
 from .plane.states.equilibrium import Equilibrium as Equilibrium
+from .wrench_sets.parameter import (
+    ResistedValues as ResistedValues,
+    resisted_values as resisted_values,
+)
 from .wrench_sets.resisted_set import ResistedSet as ResistedSet
 
 __version__: str

@@ -425,6 +425,13 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ),
     ("tests/equilibrium/test_any_direction.py",): ("equilibrium.wrench_sets.any_direction",),
     ("tests/equilibrium/test_resisted_set.py",): ("equilibrium.wrench_sets.resisted_set",),
+    ("tests/equilibrium/test_parameter.py",): (
+        "arrangement.numbers.expressions",
+        "arrangement.numbers.functions",
+        "equilibrium.certificate.parameter",
+        "equilibrium.model.parameter",
+        "equilibrium.wrench_sets.parameter",
+    ),
     (
         "tests/equilibrium/test_contact_states.py",
         "tests/equilibrium/test_wrench_sets_plane.py",

@@ -32,7 +32,7 @@ from equilibrium.model.subject import LoadCase, points_of
 
 from .assemblies import part_report
 from .enclosure import enclosure_problem
-from .law import displacement_problem, law_problem, rows_of
+from .law import displacement_problem, law_problem, law_rows, rows_of
 from .leaf_rule import TreeQuestion
 from .reading import form_of, read_case, read_enclosure, read_equilibrium, read_plane
 from .report import Question, Report, tree_report
@@ -60,6 +60,11 @@ def check(
 
     Complexity: O(m) integer operations for each node of the tree.
     """
+    if isinstance(document, Mapping) and "parameter" in document:
+        # Few certificates are about a parameter, and polynomials take a while to import.
+        from .parameter import check_parameter
+
+        return check_parameter(document).asked(question)
     kind, case = read_case(document)
     if "bounds" in document:
         problem = robust_problem(document, case.subject, case.load)
@@ -93,7 +98,10 @@ def _tree_report(case: LoadCase, tree: Any, edges: Sequence[RationalVector]) -> 
     subject, bound = case.subject, case.max_displacement
     if isinstance(subject, Assembly):
         if isinstance(tree, Mapping) and "part" in tree:
-            return part_report(tree, case)
+            joints = subject.contacts
+            bodies = [(joint.body_a, joint.body_b) for joint in joints]
+            own = law_rows(joint.contact for joint in joints)
+            return part_report(tree, bodies, own, case.wrench, max_displacement=bound)
     elif subject.dimension == 3 and (plane := read_plane(tree)) is not None:
         if edges:
             raise CertificateError("tree.plane is for round cones")

@@ -60,7 +60,10 @@ def _slip_ends(state: State) -> tuple[RationalVector, ...]:
 def with_sign(state: State, slips: Sequence[int]) -> State:
     """Return the state of a contact with its slip where it slips one way in a whole region."""
     if slips and state in ("undecided", "attached"):
-        return "slip+" if min(slips) > 0 else "slip-" if max(slips) < 0 else state
+        if all(s > 0 for s in slips):
+            return "slip+"
+        if all(s < 0 for s in slips):
+            return "slip-"
     return state
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from arrangement.numbers.exact import RationalVector, number_text, primitive
+from arrangement.numbers.exact import RationalVector, number_text, primitive, quotient
 from arrangement.numbers.linear.rank import rank
 from equilibrium.model.assembly import SIZE, Assembly
 from equilibrium.model.contact import Contact
@@ -40,19 +40,28 @@ def law_rows(contacts: Iterable[Contact]) -> list[LawRow]:
 
 def joint_rows(assembly: Assembly) -> list[LawRow]:
     """Return the rows of the contacts of an assembly in R^(3b)."""
-    place = {name: SIZE * k for k, name in enumerate(assembly.names)}
-    rows = []
-    for joint in assembly.contacts:
-        lifted, c = [], joint.contact
-        for wrench in frame(c):
-            row = [Fraction(0)] * (SIZE * len(place))
-            row[place[joint.body_a] : place[joint.body_a] + SIZE] = wrench
-            if joint.body_b is not None:
-                other = [-x for x in wrench]
-                row[place[joint.body_b] : place[joint.body_b] + SIZE] = other
-            lifted.append(tuple(row))
-        rows.append(LawRow(tuple(lifted), c.friction, c.stiffness, c.preload, c.adhesion))
-    return rows
+    joints = assembly.contacts
+    bodies = [(joint.body_a, joint.body_b) for joint in joints]
+    return lifted_rows(law_rows(joint.contact for joint in joints), bodies, assembly.names)
+
+
+def lifted_rows(
+    rows: Sequence[LawRow], bodies: Sequence[tuple[str, str | None]], names: Sequence[str]
+) -> list[LawRow]:
+    """Return rows of contacts, each in the numbers of its body_a, in those of all bodies."""
+    place = {name: SIZE * k for k, name in enumerate(names)}
+
+    def lifted(wrench: RationalVector, pair: tuple[str, str | None]) -> RationalVector:
+        row = [Fraction(0)] * (SIZE * len(place))
+        for sign, name in zip((1, -1), pair, strict=True):
+            if name is not None:
+                row[place[name] : place[name] + SIZE] = [sign * x for x in wrench]
+        return tuple(row)
+
+    return [
+        row._replace(wrenches=tuple(lifted(wrench, pair) for wrench in row.wrenches))
+        for row, pair in zip(rows, bodies, strict=True)
+    ]
 
 
 def rows_of(subject: Subject) -> list[LawRow]:
@@ -230,8 +239,9 @@ def escape_problem(grasp: Grasp, motion: RationalVector) -> str:
 
 
 def short(value: Fraction | int) -> str:
-    """Return a rational for a message."""
-    return number_text(value, digits=30, longest=60)
+    """Return a number for a message."""
+    is_rational = isinstance(value, (int, Fraction))
+    return number_text(value, digits=30, longest=60) if is_rational else str(value)
 
 
 def _shown(values: Sequence[Fraction]) -> str:
@@ -242,7 +252,8 @@ def _shown(values: Sequence[Fraction]) -> str:
 def _dot(left: Sequence[Fraction], right: Sequence[Fraction]) -> Fraction:
     # In integers: to reduce each product and each sum takes several times as long.
     (one, unit), (other, scale) = _whole(left), _whole(right)
-    return Fraction(sum(a * b for a, b in zip(one, other, strict=True)), unit * scale)
+    total: Fraction = quotient(sum(a * b for a, b in zip(one, other, strict=True)), unit * scale)
+    return total
 
 
 def _whole(row: Sequence[Fraction]) -> tuple[list[int], int]:

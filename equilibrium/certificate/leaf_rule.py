@@ -52,7 +52,7 @@ from fractions import Fraction
 from itertools import chain, product
 from typing import Any, NamedTuple
 
-from arrangement.numbers.exact import IntegerVector, RationalVector, dot
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, quotient
 from equilibrium.model.subject import Subject
 
 from .contact_rule import (
@@ -182,7 +182,7 @@ class TreeQuestion:
             return "" if is_above else f"{place.path}: the work of load and contacts is not above 0"
         for total, (vector, *_) in zip(work.total, place.region, strict=True):
             if total < 0 or (total == 0 and vector[0]):
-                where, done = ", ".join(map(short, vector)), short(Fraction(total) / work.unit)
+                where, done = ", ".join(map(short, vector)), short(quotient(total, work.unit))
                 due = f"{done}, and must be {'above' if vector[0] else 'at least'} 0"
                 return (
                     f"{place.path}: at generator ({where}) the work of load and contacts is {due}"
@@ -219,7 +219,7 @@ class TreeQuestion:
         ):
             state, multipliers = states.get(i, "undecided"), leaf.multipliers.get(i)
             is_idle = state == "detached" or (
-                state == "undecided" and bool(springs) and max(springs) <= 0
+                state == "undecided" and bool(springs) and all(e <= 0 for e in springs)
             )
             if is_idle and multipliers is None:
                 continue
@@ -243,7 +243,7 @@ class TreeQuestion:
                     terms += self._pushes(contact, (0, *h))
                 continue
             kappa *= self.unit // (unit_of_kappa * contact.spring_unit)
-            if state != "undecided" or min(springs) >= 0:
+            if state != "undecided" or all(e >= 0 for e in springs):
                 terms.append((kappa, contact.spring))
             elif kappa < 0:
                 concave = [x + kappa * max(0, e) for x, e in zip(concave, springs, strict=True)]
@@ -267,7 +267,7 @@ def _numbers(multipliers: Sequence[Fraction | int], kappa: tuple[Any, int] | Non
     """Return the multipliers of a contact for a message, and its factor where it is rational."""
     alpha, *h = map(short, multipliers)
     words = f"alpha = {alpha}, h = {h[0] if len(h) == 1 else '(' + ', '.join(h) + ')'}"
-    return f"{words}, kappa = {short(Fraction(kappa[0]) / kappa[1])}" if kappa else words
+    return f"{words}, kappa = {short(quotient(*kappa))}" if kappa else words
 
 
 def _denominator(row: Iterable[Fraction | int]) -> int:

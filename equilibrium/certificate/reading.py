@@ -46,7 +46,7 @@ tangents of a contact, three in space; see `equilibrium.certificate.law.displace
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -82,12 +82,14 @@ class TreeForm(NamedTuple):
         tangents: of each contact.
         splits: the keys of inner nodes.
         bodies: those whose motions are objects by names, three numbers each; None for one body.
+        read: what takes a number of motions, forces or multipliers and its name to an exact one.
     """
 
     size: int
     tangents: int
     splits: tuple[str, ...]
     bodies: tuple[str, ...] | None = None
+    read: Callable[[Any, str], Any] = rational
 
 
 #: Of grasps, by their dimension.
@@ -231,7 +233,9 @@ def read_equilibrium(
 ) -> tuple[RationalVector, list[RationalVector]]:
     """Return the motion, and the normal and tangential forces of each contact."""
     rows = check_list(document["forces"], "forces", contacts)
-    forces = [_rationals(row, form.tangents + 1, f"forces[{i}]") for i, row in enumerate(rows)]
+    forces = [
+        _rationals(row, form.tangents + 1, f"forces[{i}]", form.read) for i, row in enumerate(rows)
+    ]
     return read_motion(document["motion"], form, "motion"), forces
 
 
@@ -244,12 +248,14 @@ def read_motion(
         some_bodies: bodies may be left out, which do not move.
     """
     if form.bodies is None:
-        return _rationals(content, form.size, where)
+        return _rationals(content, form.size, where, form.read)
     due, rest = ((), form.bodies) if some_bodies else (form.bodies, ())
     given = check_keys(content, due, rest, where)
     size = form.size // max(1, len(form.bodies))
     rows = (
-        _rationals(given[name], size, f"{where}.{name}") if name in given else (Fraction(0),) * size
+        _rationals(given[name], size, f"{where}.{name}", form.read)
+        if name in given
+        else (Fraction(0),) * size
         for name in form.bodies
     )
     return tuple(x for row in rows for x in row)
@@ -302,7 +308,7 @@ def read_node(content: Any, path: str, contacts: int, form: TreeForm) -> Leaf | 
         InputError: this is not a node for this many contacts; the message has the path.
     """
     if isinstance(content, (list, tuple)) and form.bodies is None:
-        return Leaf(_rationals(content, form.size, path), {})
+        return Leaf(_rationals(content, form.size, path, form.read), {})
     kinds = ("virtual_motion", *form.splits)
     kind = next((key for key in kinds if isinstance(content, Mapping) and key in content), "")
     if not kind:
@@ -352,7 +358,7 @@ def _long_leaf(content: Mapping[str, Any], path: str, contacts: int, form: TreeF
     multipliers = {}
     for i, row in _by_contacts(content.get("multipliers", {}), where, contacts).items():
         is_alpha = form.bodies is None and isinstance(row, (list, tuple)) and len(row) == 1
-        given = _rationals(row, 1 if is_alpha else numbers, f"{where}.{i}")
+        given = _rationals(row, 1 if is_alpha else numbers, f"{where}.{i}", form.read)
         multipliers[i] = (*given, *[Fraction(0)] * (numbers - len(given)))
     where = f"{path}.displacements"
     given_bounds = _by_contacts(content.get("displacements", {}), where, contacts)
@@ -375,8 +381,10 @@ def _by_contacts(given: Any, where: str, contacts: int) -> dict[int, Any]:
     return places
 
 
-def _rationals(value: Any, length: int, where: str) -> RationalVector:
-    return rational_vector(check_list(value, where, length), where)
+def _rationals(
+    value: Any, length: int, where: str, read: Callable[[Any, str], Any] = rational
+) -> RationalVector:
+    return rational_vector(check_list(value, where, length), where, read)
 
 
 def _children(

@@ -13,6 +13,7 @@ GRASP, ASSEMBLY, MANY = SUBJECTS = "one body", "an assembly", "a file of many gr
 #: Forms of `solve`, `resisted` and `info` that no option names.
 FULL_MODEL = "the verdict of the full model"
 LOAD, WHOLE_SET = "a load (--wrench, --force or --weight)", "the whole set"
+PARAMETER = "--parameter"
 DESCRIPTION, REPORT = "the description", "the report"
 
 #: For the options of a command the subjects and the forms that they go with. Where an option names
@@ -29,9 +30,13 @@ GOES_WITH: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "certificate time_limit max_displacement robust all": (GRASP, ASSEMBLY, FULL_MODEL),
     },
     "resisted": {
-        "on along": (ASSEMBLY,),
-        "wrench force weight at": (GRASP,),
-        "smallest slice search": (GRASP,),
+        "on": (ASSEMBLY,),
+        "along": (ASSEMBLY, "--along"),
+        "wrench": (GRASP,),
+        "force weight at": (GRASP, LOAD, "--margin"),
+        "smallest": (GRASP, "--smallest"),
+        "slice": (GRASP, "--slice"),
+        "search": (GRASP, "--search"),
         "candidates": (GRASP, LOAD),
         "base": (GRASP, LOAD, "--smallest"),
         "torque_length": (GRASP, "--smallest"),
@@ -39,7 +44,7 @@ GOES_WITH: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "rays max_magnitude": (GRASP, "--search"),
         "also": (GRASP, "--margin"),
         "contacts": ("--margin",),
-        "tolerance": ("--margin", "--search"),
+        "tolerance": ("--margin", "--search", PARAMETER),
         "max_displacement": (LOAD, "--along", "--margin", "--smallest", "--slice", WHOLE_SET),
     },
     "info": {

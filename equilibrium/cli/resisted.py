@@ -28,7 +28,7 @@ from .arguments import (
     show,
     spanning_wrench,
 )
-from .goes_with import ASSEMBLY, GRASP, LOAD, WHOLE_SET, check_options
+from .goes_with import ASSEMBLY, GRASP, LOAD, PARAMETER, WHOLE_SET, check_options
 
 if TYPE_CHECKING:
     from equilibrium.model.assembly import Assembly
@@ -68,6 +68,8 @@ def add_command_resisted(commands: Any) -> None:
         metavar=("F_X", "F_Y", "TAU"),
         help=text,
     )
+    text = "the values of a letter in the file for which its load is resisted, such as t=0..1"
+    parser.add_argument("--parameter", metavar="LETTER=FROM..TO", help=text)
     text = "with a load: print which contacts of this file (as GRASP), each added alone, resist it"
     parser.add_argument("--candidates", metavar="FILE", help=text)
     text = "with a load or --smallest: a wrench that acts in any case (default: none)"
@@ -80,20 +82,44 @@ def add_command_resisted(commands: Any) -> None:
     text = "with --search: largest magnitude tried (default: 1000)"
     add_number(parser, "--max-magnitude", None, text)
     text = "accepted error: of the friction of --margin (default: 1/1048576), of the magnitudes of "
-    add_number(parser, "--tolerance", None, f"{text}--search (default: 1/1000)")
+    add_number(
+        parser,
+        "--tolerance",
+        None,
+        f"{text}--search (default: 1/1000), of --parameter (default: 1/1000000)",
+    )
     add_displacement(parser)
 
 
 def _resisted(arguments: argparse.Namespace) -> int:
+    if arguments.parameter is not None:
+        return show(arguments, *_values(arguments))
     bodies = bodies_of(arguments)
     if bodies is not None:
         return show(arguments, *_of_assembly(arguments, bodies), bodies.assembly)
     form, answer = _form(arguments)
-    check_options(arguments, "resisted", GRASP, form)
-    if arguments.margin and form != "--margin":
-        raise GraspError(f"--margin goes with {LOAD}, not with {form}")
+    _check_form(arguments, GRASP, form)
     grasp = grasp_of(arguments)
     return show(arguments, *answer(arguments, grasp), grasp)
+
+
+def _check_form(arguments: argparse.Namespace, subject: str | None, form: str) -> None:
+    check_options(arguments, "resisted", subject, form)
+    if arguments.margin and form != "--margin":
+        raise GraspError(f"--margin goes with {LOAD}, not with {form}")
+
+
+def _values(arguments: argparse.Namespace) -> Answer:
+    """Return for which values of a letter the load of a file is resisted."""
+    from equilibrium.grasps.inputs.parameter import read_parametric, read_range
+    from equilibrium.wrench_sets.parameter import TOLERANCE, resisted_values
+    from equilibrium.wrench_sets.text import values_answer
+
+    _check_form(arguments, None, PARAMETER)
+    letter, low, high = read_range(arguments.parameter)
+    family = read_parametric(arguments.grasp, letter, arguments.on or arguments.wrench)
+    tolerance = arguments.tolerance or TOLERANCE
+    return values_answer(resisted_values(family, low, high, tolerance=tolerance))
 
 
 def _form(

@@ -22,12 +22,14 @@ from .friction import TOLERANCE, rough_contacts
 from .line import Magnitudes
 from .margin import Margin, Preloads
 from .outline import Segment
+from .parameter import ResistedValues
 from .plane import Region, polygon_cycle
 from .resisted_set import ResistedSet
 from .search_map import SearchMap
 from .spatial import SpatialMagnitudes
 
 if TYPE_CHECKING:
+    from arrangement.numbers.functions import Span
     from equilibrium.model.assembly import Assembly
     from equilibrium.model.grasp import Grasp
 
@@ -329,6 +331,55 @@ def _search_lines(searched: SearchMap, unit: str) -> Iterator[str]:
         shown = ", ".join(f"{float(x):+.4f}" for x in entry.direction)
         wrong = "" if entry.agrees else f"; exactly {intervals_text(entry.exact)}"
         yield f"  ({shown})  {answer}{wrong}"
+
+
+def values_answer(answer: ResistedValues) -> Answer:
+    """Return the intervals of a parameter with proofs, and what is between them."""
+    yes = bool(answer.resisted) if answer.complete or answer.resisted else None
+    return Answer(answer.to_dict(), _values_lines(answer), yes)
+
+
+def _values_lines(answer: ResistedValues) -> Iterator[str]:
+    for verdict, spans in (("resisted", answer.resisted), ("not resisted", answer.not_resisted)):
+        for span in spans:
+            yield f"{verdict} for {_span_text(answer, span)}"
+        if not spans and answer.complete:
+            yield f"{verdict} for no proved {answer.family.letter}"
+    for end in answer.ends:
+        exact = end.gap.low == end.gap.high
+        place = (
+            f"{_letter_text(answer, end.value)} exactly" if exact else _gap_text(answer, end.gap)
+        )
+        yield f"the end is {place}"
+        if end.gives:
+            yield f"  in all equilibria at {_letter_text(answer, end.value)}: {end.gives.words}"
+    if not answer.complete:
+        yield "undecided: the search ended; what is left is named with --json"
+    proofs = counted(len(answer.pieces), "certificate")
+    yield f"{proofs}, each for all values of an interval; --json has them for `equilibrium verify`"
+
+
+def _span_text(answer: ResistedValues, span: Span) -> str:
+    """Return an interval as inequalities."""
+    letter = answer.family.letter
+    if span.low == span.high:
+        return f"{letter} = {_letter_text(answer, span.low)}"
+    low, high = "<=" if span.has_low else "<", "<=" if span.has_high else "<"
+    return (
+        f"{_letter_text(answer, span.low)} {low} {letter} {high} {_letter_text(answer, span.high)}"
+    )
+
+
+def _letter_text(answer: ResistedValues, value: Fraction) -> str:
+    if answer.family.is_angle:
+        return f"{answer.family.degrees(value):.9g} degrees"
+    return number(value)
+
+
+def _gap_text(answer: ResistedValues, gap: tuple[Fraction, Fraction]) -> str:
+    if answer.family.is_angle:
+        return f"between {_letter_text(answer, gap[0])} and {_letter_text(answer, gap[1])}"
+    return f"in {bracket(*gap)}"
 
 
 def _force(grasp: Grasp | Assembly) -> str:

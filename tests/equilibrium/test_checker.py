@@ -559,7 +559,7 @@ def test_the_checker_sees_no_solver_no_numpy_and_no_floats(module):
     values |= {f"equilibrium.model.{name}" for name in ("assembly", "displacement", "solution")}
     values |= {"arrangement.numbers.linear.rank", "equilibrium.model.subject"}
     values |= {"assemblies", "enclosure", "law", "leaf_rule", "reading", "report", "robust"}
-    values |= {"contact_rule", "tree", "uncertain"}
+    values |= {"contact_rule", "parameter", "tree", "uncertain"}
     assert imported <= standard | values
     for node in ast.walk(tree):
         assert not (isinstance(node, ast.Constant) and isinstance(node.value, float))

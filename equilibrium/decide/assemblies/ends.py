@@ -22,7 +22,7 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import dot
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.core.contact_program import ContactProgram, LinearQuestion
-from equilibrium.model.assembly import Assembly
+from equilibrium.model.assembly import SIZE, Assembly
 from equilibrium.model.contact import Contact
 from equilibrium.model.effort import Effort
 from equilibrium.model.grasp import Grasp
@@ -198,6 +198,33 @@ def what_gives(question: LinearQuestion, groups: Groups, end: Fraction, way: int
         tuple(k for k in after.tips if k not in before.tips and k not in gone),
     )
     return giving or None
+
+
+def limits_of(grasp: Grasp | Assembly, load: Any) -> Giving | None:
+    """Return which contacts are at a limit in all equilibria of one load; None if none or unknown.
+
+    Those at their friction limit slip; those without force are unloaded.
+    """
+    given: list[Giving] = []
+    still = (
+        {name: [0] * SIZE for name in load} if isinstance(grasp, Assembly) else [Fraction(0)] * SIZE
+    )
+    for part in _parts(grasp, load, still, {}):
+        tree = StateTree(part.question, Effort.usual(_STEPS), _NODES * budget.times())
+        try:
+            common = [_common(program) for program in complete_programs(tree)]
+        except TimeoutError:
+            return None
+        if not common:
+            return None
+        found = _given(common, part.groups)
+        numbers = ([part.numbers[k - 1] for k in x] for x in (found.slips, found.lifts_off))
+        given.append(Giving(tuple(next(numbers)), unloaded=tuple(next(numbers))))
+    slips, unloaded = (
+        tuple(sorted(k for one in given for k in getattr(one, name)))
+        for name in ("slips", "unloaded")
+    )
+    return Giving(slips, unloaded=unloaded) or None
 
 
 def _common(program: ContactProgram) -> _Loaded:

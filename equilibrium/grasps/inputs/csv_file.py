@@ -42,9 +42,9 @@ if TYPE_CHECKING:
 _REQUIRED = ("x", "y", "normal_x", "normal_y", VALUES[0])
 _IN_SPACE = ("z", "normal_z")
 _ANGLE = "angle"
-_BODIES = ("body_a", "body_b")
-_GROUND = ("", "ground")
-_KNOWN = (*_BODIES, *_REQUIRED, *_IN_SPACE, _ANGLE, *VALUES[1:], *EXTRAS)
+BODIES = ("body_a", "body_b")
+GROUND = ("", "ground")
+_KNOWN = (*BODIES, *_REQUIRED, *_IN_SPACE, _ANGLE, *VALUES[1:], *EXTRAS)
 _SHORT = {"nx": "normal_x", "ny": "normal_y", "nz": "normal_z"} | {
     "mu": "friction",
     "k": "stiffness",
@@ -113,7 +113,7 @@ def read_bodies(
         GraspError: as `read_csv`.
     """
     text = read_text(Path(path))[0]
-    if not re.search(rf"\b{_BODIES[0]}\b", next(_lines(text), "")):
+    if not re.search(rf"\b{BODIES[0]}\b", next(_lines(text), "")):
         return None
     pairs: list[tuple[str, str | None]] = []
     how = rounding(0, tolerance, angle_tolerance, as_given)
@@ -177,12 +177,12 @@ def read_rows(
     """
     lines, points, normals, values, extras = [], [], [], [], []
     for line, row in rows:
-        if pairs is None and _BODIES[0] in row:
+        if pairs is None and BODIES[0] in row:
             raise GraspError("the table has bodies; expected a grasp. `read_assembly` reads it")
         with _named(line):
             if pairs is not None:
-                first, second = (row.pop(name) for name in _BODIES)
-                pairs.append((first, None if second in _GROUND else second))
+                first, second = (row.pop(name) for name in BODIES)
+                pairs.append((first, None if second in GROUND else second))
             exact = {key: rational(row.pop(key), key) for key in (_ANGLE, *EXTRAS) if key in row}
             entries = {name: number(entry, name) for name, entry in row.items()}
         if _ANGLE in exact:
@@ -243,8 +243,8 @@ def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:
         if both := [name for name in header if name.startswith("normal_")]:
             raise GraspError(f"the columns are {_ANGLE} and {both[0]}; keep one")
         required = ("x", "y", _ANGLE, VALUES[0])
-    if any(name in header for name in _BODIES):
-        required = (*_BODIES, *required)
+    if any(name in header for name in BODIES):
+        required = (*BODIES, *required)
     missing = [name for name in required if name not in header]
     if missing:
         where = ", for contacts in space" if in_space else f" (or {_ANGLE}, in degrees)"
@@ -252,7 +252,7 @@ def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:
             f"the first line must name the columns {', '.join(required)}{where}; {missing[0]} is "
             "missing"
         )
-    allowed = (*keys, *(x for x in _KNOWN if x not in _BODIES)) if keys else _KNOWN
+    allowed = (*keys, *(x for x in _KNOWN if x not in BODIES)) if keys else _KNOWN
     for name in header:
         if name not in allowed:
             raise GraspError(

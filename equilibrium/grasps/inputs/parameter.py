@@ -1,0 +1,90 @@
+"""Questions with one letter from files: JSON documents and tables of contacts."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from arrangement.library.files.json_files import Source, read_text
+from equilibrium.grasps.files import decimal_text, read_contacts
+from equilibrium.model.contact import VALUES
+from equilibrium.model.errors import GraspError
+from equilibrium.model.parameter import ParametricQuestion
+
+from .csv_file import BODIES, GROUND, contact_rows
+
+_RANGE = re.compile(r"\s*([A-Za-z]\w*)\s*=\s*(\S+?)\s*\.\.\s*(\S+?)\s*")
+
+
+def read_range(text: str) -> tuple[str, str, str]:
+    """Return letter and ends of text such as ``t=0..1``.
+
+    Raises:
+        GraspError: it has another form.
+    """
+    match = _RANGE.fullmatch(text)
+    if match is None:
+        raise GraspError(
+            f"the parameter is {text[:60]!r}; expected a letter and its ends, as t=0..1"
+        )
+    return match[1], match[2], match[3]
+
+
+def read_parametric(
+    source: Source, letter: str = "t", wrench: Sequence[Any] | None = None
+) -> ParametricQuestion:
+    """Read a question whose numbers may be expressions in a letter.
+
+    Args:
+        source: a path, ``"-"`` (stdin), a built-in name or a mapping: a document of a grasp in the
+            plane or of an assembly, whose wrench stands under the key "wrench"; or a path that ends
+            with ``.csv``, a table of contacts, where angles and all numbers may have the letter.
+        wrench: of a grasp, in place of that of its document; on its bodies of an assembly.
+
+    Raises:
+        InputError: for anything else.
+    """
+    if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
+        document = _of_table(read_text(Path(source))[0])
+    else:
+        document = dict(read_contacts(source, floats=decimal_text))
+    if wrench is not None:
+        document["wrench"] = wrench if isinstance(wrench, Mapping) else list(wrench)
+    if "wrench" not in document and "bodies" not in document:
+        raise GraspError(
+            'there is no wrench; give one, or write the key "wrench" into the document'
+        )
+    document.pop("description", None)
+    return ParametricQuestion(document, letter)
+
+
+def _of_table(text: str) -> dict[str, Any]:
+    contacts, names = [], dict[str, None]()
+    for line, row in contact_rows(text):
+        if "z" in row or not row.keys() <= {
+            *BODIES,
+            "x",
+            "y",
+            "normal_x",
+            "normal_y",
+            "angle",
+            *VALUES,
+        }:
+            raise GraspError(
+                f"line {line}: a question with a letter has contacts in the plane, without pads"
+            )
+        entry: dict[str, Any] = {"point": [row["x"], row["y"]]}
+        if "angle" in row:
+            entry["angle"] = row["angle"]
+        else:
+            entry["normal"] = [row["normal_x"], row["normal_y"]]
+        entry |= {key: row[key] for key in VALUES if key in row}
+        if BODIES[0] in row:
+            first, second = (row[name] for name in BODIES)
+            entry |= {"body_a": first, "body_b": None if second in GROUND else second}
+            names |= {first: None} | ({} if second in GROUND else {second: None})
+        contacts.append(entry)
+    return {"schema_version": 1, **({"bodies": list(names)} if names else {}), "contacts": contacts}

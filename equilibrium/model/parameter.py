@@ -1,0 +1,309 @@
+"""Questions with one letter: a grasp in the plane or an assembly whose numbers depend on it.
+
+A document may have expressions in the letter (`arrangement.numbers.expressions`) in points,
+normals, friction, stiffness, preload and adhesion of contacts, in wrenches, and in weights, centres
+and outlines of bodies. A normal may have any length that is a rational function. Where the letter
+is an angle in degrees (``angle: t``, ``cos(t)``), it stands nowhere else, and all numbers are
+rational functions of ``u = tan(t / 2)``: ``cos(t) = (1 - u^2)/(1 + u^2)`` and ``sin(t) =
+2 u/(1 + u^2)``. A *value* is one of the letter, or of u.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, NamedTuple, TypeAlias
+
+from arrangement.errors import InputError
+from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.numbers.exact import shown, to_text
+from arrangement.numbers.expressions import Expression, read_expression
+from arrangement.numbers.functions import Domain, Function, Undecided, square_root
+
+from .assembly import SIZE, Assembly, RigidBody, wrenches_of
+from .contact import VALUES
+from .errors import GraspError
+from .grasp import Grasp
+from .outline import centroid
+
+#: A grasp and a wrench, or an assembly and the wrenches on its bodies.
+AnyQuestion: TypeAlias = tuple[Grasp | Assembly, Any]
+_LETTER = re.compile("[A-Za-z]")
+#: What may have the letter, in the lists of a document.
+_MAY_VARY = {
+    "contacts": ("point", "normal", "angle", *VALUES),
+    "bodies": ("weight", "centre", "outline"),
+}
+_DEFAULTS = {"friction": 0, "stiffness": 1, "preload": 0, "adhesion": 0}
+
+
+class FunctionContact(NamedTuple):
+    """A contact in the plane whose numbers are functions of the letter.
+
+    Attributes:
+        bodies: body_a and body_b in an assembly.
+    """
+
+    point: tuple[Any, ...]
+    normal: tuple[Any, ...]
+    friction: Function
+    stiffness: Function
+    preload: Function
+    adhesion: Function
+    bodies: tuple[Any, Any]
+    dimension: int = 2
+
+
+@dataclass(frozen=True, eq=False)
+class ParametricQuestion:
+    """A question for each value of a letter.
+
+    Args:
+        document: of a grasp in the plane, with the key "wrench", or of an assembly.
+        letter: its name.
+
+    Raises:
+        InputError: no document of this kind, or an expression that cannot be read.
+    """
+
+    document: Mapping[str, Any]
+    letter: str = "t"
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.letter, str) or not _LETTER.fullmatch(self.letter):
+            raise GraspError(f"the parameter is {shown(self.letter)}; expected one letter, as t")
+        for i, entry in enumerate(check_list(self.document.get("contacts"), "contacts")):
+            direction = "angle" if "angle" in entry else "normal"
+            check_keys(entry, ("point", direction, "friction"), entry, f"contacts[{i}]")
+            if {"share", "pad", "points"} & entry.keys():
+                raise GraspError("a question with a letter has no pads; give contacts of their own")
+        if not any(x.has_letter for x in self._expressions):
+            raise GraspError(f"the letter {self.letter} stands nowhere in the question")
+
+    @cached_property
+    def _expressions(self) -> list[Expression]:
+        listed: list[Expression] = []
+        mapped(self._read, lambda expression, _: listed.append(expression))
+        return listed
+
+    @cached_property
+    def _read(self) -> dict[str, Any]:
+        """The document with an `Expression` in place of each number that may have the letter."""
+        return mapped(self.document, lambda x, name: read_expression(x, self.letter, name))
+
+    @cached_property
+    def is_angle(self) -> bool:
+        """Whether the letter is an angle, and values are those of u."""
+        entries = (entry for entry in self._read["contacts"] if isinstance(entry, Mapping))
+        angles = any(entry["angle"].has_letter for entry in entries if "angle" in entry)
+        return angles or any(expression.has_turn for expression in self._expressions)
+
+    def words(self, value: Fraction) -> str:
+        """Return what the letter is at a value, of an angle in degrees."""
+        if not self.is_angle:
+            return f"{self.letter} = {to_text(value)}"
+        return f"{self.letter} = {self.degrees(value):.6g} degrees"
+
+    @staticmethod
+    def degrees(value: Fraction) -> float:
+        """Return an angle in degrees from the tangent of its half."""
+        return math.degrees(2 * math.atan(value))
+
+    def value(self, letter: Fraction) -> Fraction:
+        """Return the value where the letter is a number; of an angle nearly, from below.
+
+        Raises:
+            GraspError: an angle that is not above -180 and below 180 degrees.
+        """
+        if not self.is_angle:
+            return letter
+        if not -180 < letter < 180:
+            raise GraspError(f"the angle is {to_text(letter)}; expected one above -180, below 180")
+        if letter % 90 == 0:
+            return Fraction(int(letter) // 90)
+        return Fraction(math.tan(math.radians(letter) / 2)).limit_denominator(10**12)
+
+    def at(self, value: Fraction) -> AnyQuestion:
+        """Return the question of one value.
+
+        Raises:
+            InputError: the numbers make no question there.
+        """
+        value = Fraction(value)
+
+        def number(expression: Expression, name: str) -> str:
+            is_angle = name.endswith(".angle")
+            return "0" if is_angle else to_text(self._value(expression, value, name))
+
+        changed = mapped(self._read, number)
+        for i, (entry, read) in enumerate(
+            zip(changed["contacts"], self._read["contacts"], strict=True)
+        ):
+            if isinstance(entry, dict) and {"angle", "normal"} & entry.keys():
+                entry.pop("angle", None)
+                entry["normal"] = list(map(to_text, self._normal(read, value, f"contacts[{i}]")))
+        if "bodies" in changed:
+            assembly = Assembly.from_dict(changed)
+            return assembly, assembly.read_wrenches(wrenches_of(changed) or {})
+        wrench = check_list(changed.pop("wrench", ["0"] * SIZE), "wrench", SIZE)
+        grasp = Grasp.from_dict(changed)
+        grasp.require_plane()
+        return grasp, grasp.read_wrench(wrench)
+
+    def contacts(self, domain: Domain) -> list[FunctionContact]:
+        """Return the contacts of all values of an interval.
+
+        Raises:
+            InputError: a number is out of range at some of them.
+        """
+        letter, contacts = Function.letter(domain), []
+        for i, entry in enumerate(self._read["contacts"]):
+            name = f"contacts[{i}]"
+
+            def read(key: str, entry: Any = entry, name: str = name) -> Any:
+                zero = Expression("number", (Fraction(_DEFAULTS[key]),))
+                found = letter * 0 + self._value(entry.get(key, zero), letter, f"{name}.{key}")
+                if -1 in found.signs():
+                    raise GraspError(
+                        f"{name}: {key} is {found}, below 0 for some values in {domain.span}"
+                    )
+                return found
+
+            point = tuple(self._value(x, letter, f"{name}.point") for x in entry["point"])
+            friction, stiffness, preload, adhesion = map(read, VALUES)
+            normal = self._normal(entry, letter, name)
+            bodies = entry.get("body_a"), entry.get("body_b")
+            values = friction, stiffness, preload, adhesion
+            contacts.append(FunctionContact(point, normal, *values, bodies))
+        return contacts
+
+    @cached_property
+    def names(self) -> tuple[str, ...] | None:
+        """The names of the bodies of an assembly; None of a grasp."""
+        if "bodies" not in self.document:
+            return None
+        return tuple(x["name"] if isinstance(x, Mapping) else x for x in self.document["bodies"])
+
+    def load(self, domain: Domain) -> tuple[Any, ...]:
+        """Return the wrench, of an assembly those on all bodies in a row, for an interval."""
+        letter, zero = Function.letter(domain), Function.constant(0, domain)
+        if self.names is None:
+            rows = [self._read.get("wrench", [Expression("number", (Fraction(0),))] * SIZE)]
+        elif "wrench" in self._read:
+            given = self._read["wrench"]
+            rows = [
+                given.get(name, [Expression("number", (Fraction(0),))] * SIZE)
+                for name in self.names
+            ]
+        else:
+            return tuple(x for body in self._read["bodies"] for x in self._weight(body, letter))
+        return tuple(zero + self._value(x, letter, "wrench") for row in rows for x in row)
+
+    def _weight(self, body: Any, letter: Function) -> tuple[Any, ...]:
+        """Return the wrench of the weight of a body."""
+        zero = letter * 0
+        if not isinstance(body, Mapping) or "weight" not in body:
+            return zero, zero, zero
+        weight = self._value(body["weight"], letter, "weight")
+        if "centre" in body:
+            x = self._value(body["centre"][0], letter, "centre")
+        else:
+            plain = RigidBody.from_dict(mapped_one(body, lambda e, name: to_text(e.value(None))))
+            x = centroid(plain.outline)[0]  # type: ignore[arg-type]
+        return zero, zero - weight, zero - weight * x
+
+    def _value(self, expression: Expression, value: Any, name: str) -> Any:
+        try:
+            return expression.value(value, _turn(value) if self.is_angle else None)
+        except (ZeroDivisionError, Undecided):
+            raise GraspError(
+                f"{name} divides by 0 for some value; choose another interval"
+            ) from None
+        except InputError as error:
+            raise GraspError(f"{name}: {error}") from None
+
+    def _normal(self, entry: Mapping[str, Any], value: Any, name: str) -> tuple[Any, ...]:
+        """Return the unit normal of a contact."""
+        if "angle" in entry:
+            angle = entry["angle"]
+            if angle.has_letter:
+                return tuple(angle.turned(_turn(value)))
+            quarters = Fraction(angle.value(None)) / 90
+            if quarters.denominator != 1:
+                raise GraspError(
+                    f"{name}: angle is {to_text(90 * quarters)}; without the letter it is a "
+                    "multiple of 90. Give a normal"
+                )
+            return ((1, 0), (0, 1), (-1, 0), (0, -1))[int(quarters) % 4]
+        x, y = (
+            self._value(part, value, f"{name}.normal")
+            for part in check_list(entry["normal"], f"{name}.normal", 2)
+        )
+        square = x * x + y * y
+        length: Any = None
+        try:
+            if isinstance(square, Function):
+                length = square_root(square)
+            elif square:
+                square = Fraction(square)
+                roots = math.isqrt(square.numerator), math.isqrt(square.denominator)
+                length = Fraction(*roots) if Fraction(*roots) ** 2 == square else None
+            else:
+                raise ZeroDivisionError
+        except (ZeroDivisionError, Undecided):
+            raise GraspError(
+                f"{name}: the normal is 0 for some value; choose another interval"
+            ) from None
+        if length is None:
+            raise GraspError(
+                f"{name}: the length of the normal is no rational function; expected one such as "
+                "[2*t, 1 - t^2], or an angle"
+            )
+        return x / length, y / length
+
+
+def _turn(u: Any) -> tuple[Any, Any]:
+    """Return cosine and sine of an angle from the tangent of its half."""
+    square = u * u
+    return (1 - square) / (1 + square), 2 * u / (1 + square)
+
+
+def mapped(document: Mapping[str, Any], change: Callable[[Any, str], Any]) -> dict[str, Any]:
+    """Return a document with something in place of each number that may have a letter.
+
+    Args:
+        change: gets a number, or what stands in its place, and where it stands.
+    """
+    changed = dict(document)
+    for kind, keys in _MAY_VARY.items():
+        if kind in changed:
+            listed = enumerate(check_list(changed[kind], kind))
+            changed[kind] = [mapped_one(x, change, keys, f"{kind}[{i}]") for i, x in listed]
+    if "wrench" in changed:
+        changed["wrench"] = _deep(changed["wrench"], change, "wrench")
+    return changed
+
+
+def mapped_one(
+    entry: Any,
+    change: Callable[[Any, str], Any],
+    keys: tuple[str, ...] = _MAY_VARY["bodies"],
+    name: str = "the body",
+) -> Any:
+    """Return one entry of a list of a document with numbers changed as by `mapped`."""
+    if not isinstance(entry, Mapping):
+        return entry
+    pairs = entry.items()
+    return {k: _deep(x, change, f"{name}.{k}") if k in keys else x for k, x in pairs}
+
+
+def _deep(value: Any, change: Callable[[Any, str], Any], name: str) -> Any:
+    if isinstance(value, Mapping):
+        return {key: _deep(x, change, f"{name}.{key}") for key, x in value.items()}
+    if isinstance(value, list):
+        return [_deep(x, change, f"{name}[{i}]") for i, x in enumerate(value)]
+    return change(value, name)

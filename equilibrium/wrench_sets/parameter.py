@@ -1,0 +1,542 @@
+"""For which values of a parameter a load is resisted, proved for whole intervals at once.
+
+Each question that is decided at one value has a proof; its numbers, or the solution of the same
+contact states as a function of the letter, are checked for an interval around the value by
+`equilibrium.certificate.parameter`. A comparison without one answer parts the interval at its
+roots. What is left between proofs is asked again, beside them and in its middle, until it is no
+wider than a tolerance. So nothing is sampled: each value is in an interval with a proof, or in a
+gap that is named.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from arrangement.console.number_form import ReprMixin
+from arrangement.library.files.json_files import Source
+from arrangement.numbers.exact import rational, shown, simplest_between, to_text
+from arrangement.numbers.functions import Domain, Function, Span
+from equilibrium.certificate.parameter import (
+    ParameterReport,
+    check_parameter,
+    decided_problem,
+    function_rows,
+    parameter_entry,
+    parameter_problem,
+    question_entry,
+)
+from equilibrium.certificate.reading import SCHEMA_VERSION
+from equilibrium.decide.assemblies.ends import Giving, limits_of
+from equilibrium.decide.solver import solve
+from equilibrium.grasps.inputs.parameter import read_parametric
+from equilibrium.model.errors import GraspError
+from equilibrium.model.parameter import ParametricQuestion
+
+#: The largest gap between proofs, if none is given.
+TOLERANCE = Fraction(1, 10**6)
+#: Questions that are asked at most.
+_MOST_QUESTIONS = 200
+#: Largest denominators of simpler numbers that are tried in the place of those of a proof.
+_SIMPLE = (12, 1000)
+#: What of an inner node is no child.
+_KEPT = ("contact", "edge", "at", "part", "contacts")
+
+
+class Piece(NamedTuple):
+    """An interval of values with one proof.
+
+    Attributes:
+        verdict: "resisted" or "not resisted".
+        proof: "motion" and "forces", or "tree".
+    """
+
+    span: Span
+    verdict: str
+    proof: Mapping[str, Any]
+
+
+class Gap(NamedTuple):
+    """Values between two proofs of which none is about; of an exact end both are equal."""
+
+    low: Fraction
+    high: Fraction
+
+
+class End(NamedTuple):
+    """An end of a resisted interval.
+
+    Attributes:
+        value: which is resisted.
+        is_low: whether the interval begins there.
+        gap: the values beside it of which nothing is proved; both ends are equal if there are none.
+        gives: contacts at their friction limit, or without force, in all equilibria there, if that
+            is known.
+    """
+
+    value: Fraction
+    is_low: bool
+    gap: Gap
+    gives: Giving | None
+
+
+@dataclass(frozen=True, repr=False)
+class ResistedValues(ReprMixin):
+    """The answers for all values of a parameter.
+
+    Attributes:
+        family: the questions.
+        between: the values asked about.
+        pieces: intervals with proofs, in order.
+        gaps: what is not proved, in order; each is no wider than the tolerance, unless
+            `complete` is false.
+        complete: whether the search ended by itself.
+    """
+
+    family: ParametricQuestion
+    between: Span
+    pieces: tuple[Piece, ...]
+    gaps: tuple[Gap, ...]
+    complete: bool = True
+    repr_fields = ("resisted", "not_resisted", "gaps")
+
+    @property
+    def resisted(self) -> tuple[Span, ...]:
+        """The intervals of values at which the load is proved to be resisted."""
+        return self._joined("resisted")
+
+    @property
+    def not_resisted(self) -> tuple[Span, ...]:
+        """The intervals of values at which it is proved that nothing balances the load."""
+        return self._joined("not resisted")
+
+    def _joined(self, verdict: str) -> tuple[Span, ...]:
+        joined: list[Span] = []
+        for span in (piece.span for piece in self.pieces if piece.verdict == verdict):
+            last = joined[-1] if joined else None
+            if last and last.high == span.low and (last.has_high or span.has_low):
+                joined[-1] = Span(last.low, span.high, last.has_low, span.has_high)
+            else:
+                joined.append(span)
+        return tuple(joined)
+
+    def verdict_at(self, value: Any) -> str:
+        """Return what is proved at a value, or "undecided"."""
+        asked = rational(value, "the value")
+        return next((p.verdict for p in self.pieces if asked in p.span), "undecided")
+
+    @cached_property
+    def certificates(self) -> tuple[dict[str, Any], ...]:
+        """The certificate of each piece, as `equilibrium.verify` takes it."""
+        return tuple(_certificate(self.family, piece) for piece in self.pieces)
+
+    def verify(self) -> list[ParameterReport]:
+        """Check all certificates again."""
+        return [check_parameter(document) for document in self.certificates]
+
+    @cached_property
+    def ends(self) -> tuple[End, ...]:
+        """The ends inside the values asked about, of resisted intervals, in order."""
+        ends = []
+        for span in self.resisted:
+            for value, is_low in ((span.low, True), (span.high, False)):
+                if value not in (self.between.low, self.between.high):
+                    beside = (gap for gap in self.gaps if value in gap)
+                    gap = next(beside, Gap(value, value))
+                    ends.append(End(value, is_low, gap, limits_of(*self.family.at(value))))
+        return tuple(ends)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return a JSON form."""
+
+        def form(span: Span) -> dict[str, Any]:
+            entry = parameter_entry(self.family.letter, span)
+            return {key: x for key, x in entry.items() if key != "letter"}
+
+        of = f"tan({self.family.letter}/2)" if self.family.is_angle else self.family.letter
+        return {
+            "parameter": parameter_entry(self.family.letter, self.between),
+            "values_of": of,
+            "resisted": list(map(form, self.resisted)),
+            "not_resisted": list(map(form, self.not_resisted)),
+            "undecided": [{"from": to_text(a), "to": to_text(b)} for a, b in self.gaps],
+            "ends": [
+                {"value": to_text(end.value), "gives": end.gives and end.gives.to_dict()}
+                for end in self.ends
+            ],
+            "complete": self.complete,
+            **question_entry(self.family),
+            "certificates": list(self.certificates),
+        }
+
+
+def resisted_values(
+    source: Source | ParametricQuestion,
+    low: Any,
+    high: Any,
+    *,
+    letter: str = "t",
+    wrench: Any = None,
+    tolerance: Any = TOLERANCE,
+) -> ResistedValues:
+    """Return for which values of a letter a question has an equilibrium.
+
+    Args:
+        source: a document or a table whose numbers may be expressions in the letter, see
+            `equilibrium.grasps.inputs.parameter.read_parametric`.
+        low, high: the values asked about; of an angle in degrees.
+        letter: its name.
+        wrench: on the grasp, or on the bodies of an assembly, in place of that of the source.
+        tolerance: the largest width of what may be left unproved between two proofs.
+
+    Returns:
+        Intervals with a proof each, and the gaps between them.
+
+    Raises:
+        InputError: expressions that cannot be read, or numbers out of range at some value.
+
+    Complexity: each proof is checked with polynomials, whose degree is some ten times that of the
+    data at most. Source: `docs/proofs.rst`, "All values of a parameter".
+
+    >>> ladder = {"schema_version": 1, "contacts": [
+    ...     {"point": ["0", "0"], "normal": ["0", "1"], "friction": "t"},
+    ...     {"point": ["4", "3"], "normal": ["-1", "0"], "friction": "0"}],
+    ...     "wrench": ["0", "-1", "-2"]}
+    >>> answer = resisted_values(ladder, 0, 1)
+    >>> [str(span) for span in answer.resisted], answer.gaps
+    (['[2/3, 1]'], ())
+    """
+    is_read = isinstance(source, ParametricQuestion)
+    family: Any = source if is_read else read_parametric(source, letter, wrench)  # type: ignore[arg-type]
+    start, end = (family.value(rational(x, name)) for x, name in ((low, "low"), (high, "high")))
+    width = rational(tolerance, "tolerance")
+    if start > end:
+        raise GraspError(f"low is {shown(low)} and high is {shown(high)}; expected low below high")
+    if width <= 0:
+        raise GraspError(f"tolerance is {shown(tolerance)}; it must be above 0")
+    return _Search(family, Span(start, end), width).answer()
+
+
+class _Search:
+    """Asks at values of gaps, until each is narrow."""
+
+    def __init__(self, family: ParametricQuestion, between: Span, tolerance: Fraction) -> None:
+        self.family, self.between, self.tolerance = family, between, tolerance
+        self.pieces: list[Piece] = []
+        self.asked: dict[Fraction, str] = {}
+        #: Ends of gaps near which a value was asked, and trees by the values where they were found.
+        self.near: set[Fraction] = set()
+        self.trees: dict[Fraction, Any] = {}
+        # Numbers out of range are found here, for all values.
+        function_rows(family, Domain(between))
+        family.load(Domain(between))
+
+    def answer(self) -> ResistedValues:
+        """Return the answer."""
+        while len(self.asked) < _MOST_QUESTIONS and (value := self._next_value()):
+            self._ask(*value)
+        gaps = tuple(Gap(gap.low, gap.high) for gap in self._gaps())
+        complete = all(gap.high - gap.low <= self.tolerance for gap in gaps)
+        pieces = tuple(self._merged())
+        return ResistedValues(self.family, self.between, pieces, gaps, complete)
+
+    def _merged(self) -> list[Piece]:
+        """Return the pieces with one in place of neighbours, where one proof holds for both."""
+        merged: list[Piece] = []
+        for piece in self.pieces:
+            while merged and (both := self._union(merged[-1], piece)):
+                merged.pop()
+                piece = both
+            merged.append(piece)
+        return merged
+
+    def _union(self, one: Piece, other: Piece) -> Piece | None:
+        """Return one piece in place of two neighbours, if one of their proofs holds for both."""
+        touch = one.span.high == other.span.low and (one.span.has_high or other.span.has_low)
+        if one.verdict != other.verdict or not touch:
+            return None
+        span = Span(one.span.low, other.span.high, one.span.has_low, other.span.has_high)
+        for piece in (other, one):
+            if not parameter_problem(self.family, span, piece.proof)[1]:
+                return piece._replace(span=span)
+        return None
+
+    def _gaps(self) -> Iterator[Span]:
+        """Yield the intervals of values without a proof, in order."""
+        low, has_low = self.between.low, True
+        for piece in self.pieces:
+            span = piece.span
+            if low < span.low or (low == span.low and has_low and not span.has_low):
+                yield Span(low, span.low, has_low, not span.has_low)
+            low, has_low = span.high, not span.has_high
+        if low < self.between.high or (low == self.between.high and has_low):
+            yield Span(low, self.between.high, has_low, True)
+
+    def _next_value(self) -> tuple[Fraction, Span] | None:
+        """Return a value to ask at and the gap that it is in; None if there is none left.
+
+        That is an end that belongs to a gap, then near an end, once, and then inside.
+        """
+        for gap in sorted(self._gaps(), key=lambda gap: gap.low - gap.high):
+            width = gap.high - gap.low
+            values = [x for x, has in ((gap.low, gap.has_low), (gap.high, gap.has_high)) if has]
+            if width > self.tolerance:
+                near = min(self.tolerance / 2, width / 4)
+                for end, way in ((gap.high, -1), (gap.low, 1)):
+                    if end not in self.near:
+                        beside = sorted((end + way * near / 2, end + way * near))
+                        values.append(simplest_between(*beside))
+            if width > self.tolerance / (8 if self._is_between_equals(gap) else 1):
+                places = (gap.low + width * Fraction(k, 8) for k in (4, 2, 6, 1, 3, 5, 7))
+                values += [simplest_between(x - width / 20, x + width / 20) for x in places]
+            for value in values:
+                if value not in self.asked:
+                    return value, gap
+        return None
+
+    def _is_between_equals(self, gap: Span) -> bool:
+        """Return whether the proofs on both sides of a gap have one verdict."""
+        verdicts = {p.verdict for p in self.pieces if gap.low == p.span.high}
+        return bool(verdicts & {p.verdict for p in self.pieces if gap.high == p.span.low})
+
+    def _ask(self, value: Fraction, gap: Span) -> None:
+        """Decide at a value, and add what its proof proves."""
+        question: Any = self.family.at(value)
+        verdict: Any = solve(*question)
+        self.asked[value] = verdict.verdict
+        if verdict.verdict == "undecided":
+            return
+        best: Piece | None = None
+        for proof in self._proofs(value, gap, verdict.certificate.to_dict()):
+            span = self._reach(proof, value, gap)
+            if span is None:
+                continue
+            if best is None or span.high - span.low > best.span.high - best.span.low:
+                best = Piece(span, verdict.verdict, proof)
+            if (span.low, span.high) == (gap.low, gap.high):
+                break
+        # A single value inside would part the gap for nothing.
+        if best and (best.span.low < best.span.high or value in (gap.low, gap.high)):
+            self.pieces.append(best)
+            self.pieces.sort(key=lambda piece: (piece.span.low, piece.span.high))
+            if min(value - gap.low, gap.high - value) <= self.tolerance:
+                self.near |= {best.span.low, best.span.high}
+
+    def _proofs(
+        self, value: Fraction, gap: Span, document: Mapping[str, Any]
+    ) -> Iterator[Mapping[str, Any]]:
+        """Yield proofs that hold at a value, those first that may hold far from it."""
+        family = self.family
+        if "tree" not in document:
+            for slips in (False, True):
+                carried = _carried(family, value, document, slips_at_limit=slips)
+                if carried is not None:
+                    yield carried
+            yield {key: document[key] for key in ("motion", "forces")}
+            return
+        tree = _simpler(document["tree"], 0)
+        shape, letter = _shape(tree), family.letter
+        # A sum of two trees of one shape turns with the question.
+        alike = [x for x, other in self.trees.items() if _shape(other) == shape]
+        below = max((x for x in alike if x < value), default=None)
+        above = min((x for x in alike if x > value), default=None)
+        self.trees[value] = tree
+        for other in (below, above):
+            if other is not None:
+                yield {"tree": _between(tree, self.trees[other], value, other, letter)}
+        for most in _SIMPLE:
+            simple = _simpler(tree, most)
+            yield {"tree": simple}
+            # The limit of proofs, at an end that is proved otherwise.
+            for end, has_end in ((gap.low, gap.has_low), (gap.high, gap.has_high)):
+                if end != value and not has_end:
+                    yield {"tree": _between(tree, simple, value, end, letter)}
+        yield {"tree": tree}
+
+    def _reach(self, proof: Mapping[str, Any], value: Fraction, gap: Span) -> Span | None:
+        """Return the interval around a value, or on one side of it, where a proof holds."""
+        domain = Domain(gap, value, self.tolerance / 8)
+        try:
+            return None if decided_problem(self.family, domain, proof)[1] else domain.span
+        except ZeroDivisionError:
+            return None
+
+
+def _shape(node: Any) -> Any:
+    """Return a tree without the numbers of its leaves."""
+    if isinstance(node, Mapping):
+        pairs = sorted(node.items())
+        return tuple((key, str(x) if key in _KEPT else _shape(x)) for key, x in pairs)
+    return tuple(map(_shape, node)) if isinstance(node, list) else None
+
+
+def _between(first: Any, last: Any, start: Fraction, end: Fraction, letter: str) -> Any:
+    """Return a tree that is one at a value and another one at a second value, linear between.
+
+    Both have one shape.
+    """
+    if isinstance(first, Mapping):
+        return {
+            key: first[key] if key in _KEPT else _between(x, last[key], start, end, letter)
+            for key, x in first.items()
+        }
+    if isinstance(first, list):
+        return [_between(x, y, start, end, letter) for x, y in zip(first, last, strict=True)]
+    if not isinstance(first, str):
+        return first
+    sign = 1 if end > start else -1
+    x, y = sign * Fraction(first), sign * Fraction(last)
+    slope, constant = y - x, x * end - y * start
+    return f"({to_text(slope)})*{letter} + {to_text(constant)}".replace("+ -", "- ")
+
+
+def _simpler(node: Any, most: int) -> Any:
+    """Return a tree whose virtual motions and multipliers have simpler numbers, of size 1."""
+    if not isinstance(node, Mapping):
+        is_leaf = isinstance(node, list) and isinstance(node[0], str)
+        return _rounded(node, node, most) if is_leaf else [_simpler(x, most) for x in node]
+    if "virtual_motion" in node:
+        return _rounded(node, node["virtual_motion"], most)
+    kept = {key: node[key] for key in _KEPT if key in node}
+    return kept | {key: _simpler(x, most) for key, x in node.items() if key not in kept}
+
+
+def _rounded(leaf: Any, motion: Any, most: int) -> Any:
+    """Return the numbers of a leaf over the size of its motion; nearly, if a limit is given."""
+    rows = motion.values() if isinstance(motion, Mapping) else [motion]
+    size = max((abs(Fraction(x)) for row in rows for x in row), default=Fraction(1)) or 1
+
+    def changed(value: Any) -> Any:
+        if isinstance(value, Mapping):
+            return {key: changed(x) for key, x in value.items()}
+        if isinstance(value, list):
+            return list(map(changed, value))
+        number = Fraction(value) / size
+        return to_text(number.limit_denominator(most) if most else number)
+
+    return changed(leaf)
+
+
+def _carried(
+    family: ParametricQuestion,
+    value: Fraction,
+    document: Mapping[str, Any],
+    *,
+    slips_at_limit: bool,
+) -> Mapping[str, Any] | None:
+    """Return motion and forces of the same contact states as functions of the letter.
+
+    Unknowns that balance and states leave open keep their values.
+
+    Args:
+        slips_at_limit: whether contacts that stick with friction at its limit may slip.
+    """
+    domain = Domain(Span(value, value))
+    rows: Any = function_rows(family, domain)
+    load, motion = family.load(domain), document["motion"]
+    names = family.names or ()
+    numbers = [x for name in names for x in motion[name]] if names else motion
+    d = list(map(Fraction, numbers))
+    n, zero = len(d), Function.constant(0, domain)
+    unknowns = [*d]
+    normals: list[tuple[list[Any], Any]] = []
+    tangents: list[tuple[list[Any], Any]] = []
+    equations: list[list[Any]] = []
+    # An expression is a list of coefficients, of the unknowns in order, and a constant.
+    for row, force in zip(rows, document["forces"], strict=True):
+        normal, friction = map(Fraction, force)
+        along = [zero + x for x in row.wrenches[0]]
+        across = [zero + x for x in row.wrenches[1]]
+        if not normal:
+            normals.append(([], zero))
+            tangents.append(([], zero))
+            continue
+        spring = [x * row.stiffness * -1 for x in along]
+        normals.append((spring, zero + row.preload))
+        slip = sum(x.at(value) * y for x, y in zip(across, d, strict=True))
+        limit = row.friction.at(value) * normal
+        at_limit = abs(friction) == limit
+        if not limit or slip or (at_limit and slips_at_limit):
+            factor = row.friction * (Fraction((friction > 0) - (friction < 0)))
+            tangents.append(([x * factor for x in spring], factor * row.preload))
+        else:
+            unknowns.append(friction)
+            tangents.append(([zero] * (len(unknowns) - 1) + [zero + 1], zero))
+            equations.append([*across, zero])
+    size = len(unknowns)
+    full = [[_padded(terms, size, zero), constant] for terms, constant in (*normals, *tangents)]
+    wrenches = [row.wrenches[0] for row in rows] + [row.wrenches[1] for row in rows]
+    pull = [row.adhesion for row in rows] + [zero] * len(rows)
+    lines = [[*_padded(e[:-1], size, zero), e[-1]] for e in equations]
+    for j in range(n):
+        line = [zero] * size + [zero + load[j]]
+        for (terms, constant), wrench, less in zip(full, wrenches, pull, strict=True):
+            row = [*terms, constant - less]
+            line = [x + (zero + wrench[j]) * y for x, y in zip(line, row, strict=True)]
+        lines.append(line)
+    solved = _solved(lines, unknowns, value)
+    if solved is None:
+        return None
+    forces = [
+        [_applied(pair, solved) for pair in (full[i], full[len(rows) + i])]
+        for i in range(len(rows))
+    ]
+    letter = family.letter
+    texts = [x.text(letter) for x in solved[:n]]
+    by_name = {name: texts[3 * k : 3 * k + 3] for k, name in enumerate(names)}
+    return {
+        "motion": by_name if names else texts,
+        "forces": [[x.text(letter) for x in pair] for pair in forces],
+    }
+
+
+def _padded(terms: Sequence[Any], size: int, zero: Any) -> list[Any]:
+    return [*terms, *[zero] * (size - len(terms))]
+
+
+def _applied(pair: Sequence[Any], values: Sequence[Any]) -> Any:
+    terms, constant = pair
+    return sum((x * y for x, y in zip(terms, values, strict=True)), constant)
+
+
+def _solved(lines: list[list[Any]], values: Sequence[Fraction], at: Fraction) -> list[Any] | None:
+    """Solve linear equations ``row . x + constant = 0`` by elimination.
+
+    Unknowns without a pivot keep their values. Pivots are chosen by their sizes at a value.
+    """
+    rest, pivots = list(lines), list[tuple[int, list[Any]]]()
+    while rest:
+        sizes = [[abs(x.at(at)) for x in line[:-1]] for line in rest]
+        largest = max((max(row, default=Fraction(0)) for row in sizes), default=Fraction(0))
+        if not largest:
+            break
+        i = next(k for k, row in enumerate(sizes) if largest in row)
+        j, line = sizes[i].index(largest), rest.pop(i)
+        line = [x / line[j] for x in line]
+
+        def less(other: list[Any], line: list[Any] = line, j: int = j) -> list[Any]:
+            return [x - other[j] * y for x, y in zip(other, line, strict=True)]
+
+        rest = [less(other) for other in rest]
+        pivots = [(k, less(other)) for k, other in pivots] + [(j, line)]
+    if any(line[-1].at(at) for line in rest):
+        return None
+    known: list[Any] = [lines[0][-1] * 0 + x for x in values]
+    chosen = {j for j, _ in pivots}
+    for j, line in pivots:
+        terms = (x * values[k] for k, x in enumerate(line[:-1]) if k not in chosen)
+        known[j] = sum(terms, line[-1]) * -1
+    return known
+
+
+def _certificate(family: ParametricQuestion, piece: Piece) -> dict[str, Any]:
+    return {
+        "schema_version": SCHEMA_VERSION,
+        "certificate": piece.verdict,
+        "parameter": parameter_entry(family.letter, piece.span),
+        **question_entry(family),
+        **piece.proof,
+    }

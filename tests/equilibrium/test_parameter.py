@@ -1,0 +1,303 @@
+"""Values of a parameter for which a load is resisted: proofs for whole intervals at once."""
+
+import json
+from collections import Counter
+from fractions import Fraction
+from itertools import pairwise
+from random import Random
+
+import pytest
+
+from arrangement import InputError
+from arrangement.numbers.expressions import read_expression
+from arrangement.numbers.functions import Domain, Function, Span, Undecided
+from equilibrium import resisted_values, solve
+from equilibrium.certificate.checker import check
+from equilibrium.certificate.document import refuted_certificate, resisted_certificate
+from equilibrium.cli.program import main
+from equilibrium.grasps.inputs.parameter import read_parametric
+from equilibrium.model.solution import Solution
+
+F = Fraction
+
+
+def grasp(*contacts, wrench):
+    """Return a document; a contact is point, normal or angle, friction, and maybe more."""
+    listed = []
+    for point, normal, friction, *rest in contacts:
+        direction = {"angle": normal} if isinstance(normal, str) else {"normal": list(normal)}
+        entry = {"point": list(point), **direction, "friction": friction, **(rest or [{}])[0]}
+        listed.append(entry)
+    return {"schema_version": 1, "contacts": listed, "wrench": list(wrench)}
+
+
+FLOOR, WALL = (("0", "0"), ("0", "1")), (("4", "3"), ("-1", "0"))
+#: A ladder with its foot at the origin and its top at (4, 3); a weight of 1 in its middle.
+LADDER = grasp((*FLOOR, "t"), (*WALL, "0"), wrench=("0", "-1", "-2"))
+#: A man of weight 1 on it, the share t of the way up; friction 2/5 at both ends.
+CLIMBER = grasp((*FLOOR, "2/5"), (*WALL, "2/5"), wrench=("0", "-1", "-4*t"))
+#: The same with the angle of the ladder, of length 1, in degrees: friction 1/2 at the floor.
+LEANING = grasp(
+    (("0", "0"), ("0", "1"), "1/2"),
+    (("cos(t)", "sin(t)"), ("-1", "0"), "0"),
+    wrench=("0", "-1", "-1/2 cos(t)"),
+)
+#: A block on a slope of t degrees with friction 1/2: it slides where tan t > 1/2.
+SLOPE = grasp(
+    (("0", "0"), "t+90", "1/2"),
+    (("cos(t)", "sin(t)"), "90+t", "1/2"),
+    wrench=("0", "-1", "-(cos(t)/2 - sin(t)/4)"),
+)
+#: Two stacked blocks; the upper one, of weight 1, is pushed by t: friction 1/4 between them.
+STACK = {
+    "schema_version": 1,
+    "bodies": ["lower", "upper"],
+    "contacts": [
+        {"body_a": a, "body_b": b, "point": [x, y], "normal": ["0", "1"], "friction": mu}
+        for a, b, y, mu in (("lower", None, "0", "1"), ("upper", "lower", "1", "1/4"))
+        for x in ("-2", "2")
+    ],
+    "wrench": {"lower": ["0", "-1", "0"], "upper": ["t", "-1", "-t"]},
+}
+
+
+@pytest.mark.parametrize(
+    ("document", "ends", "intervals", "slips"),
+    [
+        (LADDER, (0, 1), ["[2/3, 1]"], (1,)),
+        (CLIMBER, (0, 1), ["[0, 23/58]"], (1, 2)),
+        (STACK, (0, 1), ["[0, 1/4]"], (3, 4)),
+    ],
+)
+def test_ends_are_exact_where_both_sides_stop_at_one_value(document, ends, intervals, slips):
+    """By hand: tan of the friction angle; moments about the top; the force at the limit."""
+    answer = resisted_values(document, *ends)
+    assert [str(span) for span in answer.resisted] == intervals
+    assert (answer.gaps, answer.complete) == ((), True)
+    assert all(answer.verify())
+    (end,) = answer.ends
+    assert end.gives is not None
+    assert end.gives.slips == slips
+
+
+@pytest.mark.parametrize(
+    ("document", "ends", "tangent"),
+    [(SLOPE, (0, 45), (F(1, 2), "below")), (LEANING, (30, 80), (F(1), "above"))],
+)
+def test_angles_end_within_a_bracket(document, ends, tangent):
+    """The block slides beyond tan t = mu; the ladder stands from tan t = 1 / (2 mu) on."""
+    answer = resisted_values(document, *ends)
+    inside = answer.resisted[0]
+    end = inside.high if tangent[1] == "below" else inside.low
+    (gap,) = (gap for gap in answer.gaps if end in gap)
+    assert answer.complete
+    assert all(gap.high - gap.low <= F(1, 10**6) for gap in answer.gaps)
+    assert all(answer.verify())
+
+    def tan(u):
+        return 2 * u / (1 - u * u)
+
+    assert tan(gap.low) < tangent[0] < tan(gap.high)
+
+
+def test_loads_have_the_ends_that_magnitudes_have():
+    """A family that is linear in the load: `along` answers it by other programs."""
+    from equilibrium import ResistedSet, read_grasp
+
+    source = read_grasp("paper-three-contacts")
+    for direction in ((1, 0, 0), (0, -1, 0), (1, 2, -1)):
+        document = source.to_dict() | {"wrench": [f"{x}*t" for x in direction]}
+        document.pop("outline", None)
+        answer = resisted_values(document, 0, 4)
+        intervals = ResistedSet(source).along(direction).intervals
+        clipped = [(low, 4 if high is None else min(high, 4)) for low, high in intervals]
+        for span, (low, high) in zip(answer.resisted, clipped, strict=True):
+            assert low <= span.low <= low + F(1, 10**6)
+            assert high - F(1, 10**6) <= span.high <= high
+
+
+NORMALS = [("1", "0"), ("0", "1"), ("-1", "0"), ("0", "-1"), ("3/5", "4/5"), ("-4/5", "3/5")]
+TURNING = [("2*t", "1 - t^2"), ("t^2 - 1", "2*t"), ("5/13", "-12/13")]
+
+
+def random_family(source):
+    """Return a random document in t, with one or two contacts."""
+    contacts = []
+    for _ in range(source.randint(1, 2)):
+        normal = source.choice(TURNING if source.random() < 0.2 else NORMALS)
+        moving = source.random() < 0.4
+        point = [source.choice(["0", "1", "-1", *["t", "1-t"] * moving]) for _ in range(2)]
+        values = {
+            "stiffness": source.choice(["1", "2", "1 + t"]),
+            "preload": source.choice(["0", "1", "t"]),
+        }
+        contacts.append((point, normal, source.choice(["0", "1/2", "1", "t"]), values))
+    wrench = [source.choice(["0", "1", "-1", "t", "-t", "1 - 2*t"]) for _ in range(3)]
+    return grasp(*contacts, wrench=wrench)
+
+
+@pytest.fixture(scope="module")
+def answers():
+    """Answers for random families; their letter stands somewhere."""
+    found = []
+    for seed in range(60):
+        source = Random(f"family {seed}")
+        document = random_family(source)
+        numbers = [x["point"] + x["normal"] for x in document["contacts"]]
+        numbers += [list(x.values())[2:] for x in document["contacts"]]
+        if "t" in json.dumps([numbers, document["wrench"]]):
+            found.append(resisted_values(document, 0, 1))
+        if len(found) == 25:
+            return found
+    raise AssertionError("too few families")
+
+
+def test_every_value_has_the_verdict_of_its_interval(answers):
+    kinds = Counter()
+    for i, answer in enumerate(answers):
+        assert answer.complete
+        source = Random(i)
+        ends = [x for piece in answer.pieces for x in (piece.span.low, piece.span.high)]
+        for value in [*ends[:6], *(F(source.randint(0, 100), 100) for _ in range(6))]:
+            proved = answer.verdict_at(value)
+            if proved != "undecided":
+                assert solve(*answer.family.at(value)).verdict == proved
+                kinds[proved] += 1
+        covered = [answer.between.low, *ends, answer.between.high]
+        assert all(b - a <= F(1, 10**6) for a, b in list(pairwise(covered))[::2])
+    assert min(kinds.values()) > 40
+
+
+def numbers_at(proof, letter, value):
+    """Return a proof with the values of its expressions."""
+    if isinstance(proof, dict):
+        return {key: numbers_at(x, letter, value) for key, x in proof.items()}
+    if isinstance(proof, list):
+        return [numbers_at(x, letter, value) for x in proof]
+    if isinstance(proof, str) and proof not in ("stick",):
+        return str(read_expression(proof, letter).value(value))
+    return proof
+
+
+def test_certificates_hold_at_single_values_by_the_ordinary_checker(answers):
+    checked = 0
+    for answer in answers:
+        for piece in answer.pieces:
+            span = piece.span
+            values = [span.low + (span.high - span.low) * F(k, 21) for k in range(1, 21)]
+            for value in values[:: 1 if span.low < span.high else 20]:
+                subject, load = answer.family.at(value)
+                proof = numbers_at(dict(piece.proof), "t", value)
+                if "tree" in proof:
+                    made = refuted_certificate(subject, load, proof["tree"])
+                else:
+                    forces = tuple(tuple(map(F, row)) for row in proof["forces"])
+                    made = resisted_certificate(
+                        subject, load, Solution(tuple(map(F, proof["motion"])), forces)
+                    )
+                assert made.verify()
+                checked += 1
+    assert checked > 500
+
+
+def forged(source, value):
+    """Return a document with one number of its proof, or an end, changed."""
+    if isinstance(value, dict):
+        key = source.choice(sorted(value))
+        return {**value, key: forged(source, value[key])}
+    if isinstance(value, list) and value:
+        i = source.randrange(len(value))
+        return [*value[:i], forged(source, value[i]), *value[i + 1 :]]
+    if isinstance(value, str):
+        return source.choice([f"{value} + 1/7", f"-({value})", "0", f"({value})*t", "1"])
+    return value
+
+
+@pytest.mark.parametrize("count", [120, pytest.param(600, marks=pytest.mark.slow)])
+def test_what_is_accepted_after_a_change_is_true(answers, count):
+    """Forged proofs and intervals are refused, or what they say holds at each value tried."""
+    documents = [document for answer in answers for document in answer.certificates]
+    source, found = Random("forged"), Counter()
+    for _ in range(count):
+        document = source.choice(documents)
+        keys = [key for key in ("motion", "forces", "tree", "parameter") if key in document]
+        key = source.choice(keys)
+        if key == "parameter":
+            low, high = (F(document[key][end]) for end in ("from", "to"))
+            wide = {"letter": "t", "from": str(low - F(1, 5)), "to": str(high + F(1, 5))}
+            document = {**document, key: wide}
+        else:
+            document = {**document, key: forged(source, document[key])}
+        try:
+            report = check(document)
+        except InputError:
+            found["unreadable"] += 1
+            continue
+        found[bool(report)] += 1
+        if report:
+            span = report.span
+            for k in range(3):
+                value = span.low + (span.high - span.low) * F(2 * k + 1, 6)
+                asked = report.family.at(value)
+                assert solve(*asked).verdict == report.kind
+    assert found[False] > count / 3
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"wrench": ["0", "-1", "t t t +"]}, "ends too early"),
+        ({"wrench": ["0", "-1", "__import__('os')"]}, "expected an expression in t"),
+        ({"wrench": ["0", "-1"]}, "wrench has 2 entries; expected 3"),
+        ({"contacts": [*LADDER["contacts"], "x"]}, "contacts"),
+        (grasp((("0", "0"), ("t", "1"), "1"), wrench="012"), "no rational function"),
+        (grasp((("0", "0"), ("t", "t"), "1"), wrench="012"), "no rational function|normal is 0"),
+        (grasp((("0", "0"), ("0", "1"), "t - 1"), wrench="012"), "friction is t - 1, below 0"),
+        (grasp((("1/t", "0"), ("0", "1"), "1"), wrench="012"), "divides by 0"),
+        (grasp((("0", "0"), "t", "t"), wrench="012"), "the letter is an angle"),
+        (grasp((("0", "0"), "2*t", "1"), wrench="012"), "an angle is t or -t"),
+        (grasp((("0", "0"), ("0", "1"), "1"), wrench="012"), "stands nowhere"),
+    ],
+)
+def test_what_is_no_question_is_one_clear_error(change, words):
+    with pytest.raises(InputError, match=words) as caught:
+        resisted_values({**LADDER, **change}, 0, 1)
+    assert "\n" not in str(caught.value)
+
+
+def test_comparisons_have_one_answer_or_none():
+    letter = Function.letter(Domain(Span(F(0), F(1))))
+    assert letter >= 0
+    assert letter <= 1
+    assert not letter < 0
+    assert abs(letter - 2) == 2 - letter
+    with pytest.raises(Undecided, match="t has more than one sign"):
+        bool(letter > 0)
+    narrowed = Domain(Span(F(0), F(1)), F(3, 4))
+    assert Function.letter(narrowed) * 3 >= 2
+    assert str(narrowed.span) == "[2/3, 1]"
+    assert Function.letter(narrowed) * Function.letter(narrowed) < F(3, 4)
+    assert F(2, 3) < narrowed.span.high < F(866025404, 10**9)
+
+
+def test_tables_and_the_command(tmp_path, capsys):
+    table = tmp_path / "ladder.csv"
+    table.write_text("x,y,nx,ny,mu\n0,0,0,1,t\n4,3,-1,0,0\n")
+    family = read_parametric(str(table), wrench=["0", "-1", "-2"])
+    assert family.at(F(1, 2))[0].contacts[0].friction == F(1, 2)
+    line = ["resisted", str(table), "--wrench", "0", "-1", "-2", "--parameter", "t=0..1"]
+    assert main(line) == 0
+    out = capsys.readouterr().out
+    assert "resisted for 2/3 <= t <= 1\n" in out
+    assert "not resisted for 0 <= t < 2/3\n" in out
+    assert "in all equilibria at 2/3: slips at contact 1" in out
+    assert main([*line, "--json"]) == 0
+    for document in json.loads(capsys.readouterr().out)["certificates"]:
+        path = tmp_path / "proof.json"
+        path.write_text(json.dumps(document))
+        assert main(["verify", str(path)]) == 0
+        assert "all t in" in capsys.readouterr().out
+    assert main([*line[:-1], "t=0..1/2"]) == 1
+    assert main([*line[:-1], "t=0-1"]) == 2
+    assert main([*line, "--margin"]) == 2
+    assert "--margin goes with a load" in capsys.readouterr().err
