@@ -16,10 +16,11 @@ With all contacts decided this is the law itself, else a relaxation: it has ever
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+from itertools import chain
 from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.numbers.exact import RationalVector
@@ -42,6 +43,29 @@ _SIGNS = {"slip+": 1, "slip-": -1}
 _LIFT_WEIGHT = 3
 
 
+class _Condition(NamedTuple):
+    """An expression, and `unit` times it in integers and without symbols."""
+
+    terms: _Terms
+    row: dict[Any, int]
+    unit: int
+
+
+class _ContactConditions(NamedTuple):
+    """The law of one contact in one state; unknown forces are symbols, too.
+
+    Attributes:
+        wrench: of its forces, an expression for each coordinate.
+    """
+
+    normal: _Terms
+    tangential: _Terms
+    unknowns: tuple[Any, ...]
+    least: tuple[_Condition, ...]
+    equal: tuple[_Condition, ...]
+    wrench: tuple[_Terms, ...]
+
+
 @dataclass(frozen=True)
 class LinearQuestion:
     """What a program is about; all that changes with the magnitude t has its slope beside it.
@@ -50,6 +74,7 @@ class LinearQuestion:
         rows: the contacts.
         load, load_slope: the wrench at t = 0, and what each unit of t adds.
         preload_slope: what each unit of t adds to every preload.
+        shares: the part of that of each contact; none for all of it.
         frictions: the least and the largest coefficient, in place of those of the contacts, which
             may differ between contacts; the largest may be None, for any.
         chosen: places in `rows` of the contacts that `preload_slope` and `frictions` are about;
@@ -65,6 +90,7 @@ class LinearQuestion:
     load: RationalVector
     load_slope: RationalVector
     preload_slope: Fraction = Fraction(0)
+    shares: tuple[Fraction, ...] = ()
     frictions: Interval | None = None
     max_displacement: Fraction | None = None
     chosen: frozenset[int] | None = None
@@ -81,8 +107,7 @@ class LinearQuestion:
             wrenches = contact.normal_wrench, *contact.tangential_wrenches
             along, across = map(_sparse, wrenches)
             found["displacement", i, 0], found["displacement", i, 1] = along, across
-            slope = self.preload_slope if self.is_chosen(i) else _ZERO
-            spring = {-1: _exact(contact.preload), self.rows.n: _exact(slope)}
+            spring = {-1: _exact(contact.preload), self.rows.n: _exact(self.slope_of(i))}
             found["spring", i] = _sum(spring, along, -_exact(contact.stiffness))
             found["slip", i] = across
             if self.chords:
@@ -90,9 +115,9 @@ class LinearQuestion:
         return found
 
     @cached_property
-    def sides(self) -> list[_Terms]:
-        """The region as expressions that are at least 0."""
-        return list(map(_expression, self.region))
+    def sides(self) -> list[_Condition]:
+        """That t is at least 0, and the region."""
+        return [self.condition(x) for x in ({self.rows.n: _ONE}, *map(_expression, self.region))]
 
     @cached_property
     def balance(self) -> list[_Terms]:
@@ -106,21 +131,97 @@ class LinearQuestion:
         return lines
 
     @cached_property
-    def wrenches(self) -> list[list[list[Any]]]:
-        """The wrenches of unit forces of each contact."""
-        rows = ((c.normal_wrench, *c.tangential_wrenches) for c in self.rows)
-        return [[list(map(_exact, row)) for row in wrenches] for wrenches in rows]
+    def _conditions(self) -> dict[tuple[int, str], _ContactConditions]:
+        return {}
+
+    def conditions(self, i: int, state: str) -> _ContactConditions:
+        """Return the law of a contact in a state."""
+        if (i, state) not in self._conditions:
+            self._conditions[i, state] = self._contact(i, state)
+        return self._conditions[i, state]
+
+    def _contact(self, i: int, state: str) -> _ContactConditions:
+        normal, tangential, unknowns = self._forces(i, state)
+        equal: list[_Terms] = [{("slip", i): _ONE}] if state == "stick" else []
+        contact = self.rows[i]
+        wrench: list[_Terms] = [{} for _ in range(self.rows.n)]
+        for terms, unit in (
+            (normal, contact.normal_wrench),
+            (tangential, contact.tangential_wrenches[0]),
+        ):
+            for j, x in _sparse(unit).items():
+                _add(wrench[j], terms, x)
+        least = self._bounds(i, state, normal, tangential)
+        conditions = tuple(map(self.condition, least)), tuple(map(self.condition, equal))
+        return _ContactConditions(normal, tangential, unknowns, *conditions, tuple(wrench))
+
+    def _forces(self, i: int, state: str) -> tuple[_Terms, _Terms, tuple[Any, ...]]:
+        """Return the normal and the tangential force, and which of them are unknowns."""
+        if state == "detached":
+            return {}, {}, ()
+        sign, (low, high) = self.sign(i, state), self.coefficients(i)
+        normal, friction = ("normal", i), ("friction", i)
+        presses = state in ("loose", "undecided")
+        pressed = {normal if presses else ("spring", i): _ONE}
+        if high == 0 or (sign and low == high):
+            return pressed, _times(pressed, -sign * _exact(low)), (normal,) * presses
+        return pressed, {friction: _ONE}, (*(normal,) * presses, friction)
+
+    def _bounds(self, i: int, state: str, normal: _Terms, tangential: _Terms) -> list[_Terms]:
+        """Return what is at least 0 at a contact in a state."""
+        least: list[_Terms] = []
+        sign, (low, high) = self.sign(i, state), map(_exact, self.coefficients(i))
+        if self.max_displacement is not None and state != "loose":
+            for j in range(2):
+                most = {-1: _exact(self.max_displacement)}
+                least += _between({("displacement", i, j): _ONE}, most)
+        if state == "detached":
+            return [*least, {("spring", i): -_ONE}]
+        least.append(normal)
+        if state == "undecided":
+            least.append(_sum(normal, {("spring", i): _ONE}, -1))
+            if self.chords:
+                least.append(_sum({("chord", i): _ONE}, normal, -1))
+        if ("friction", i) in tangential:
+            limit = None if high is None else _times(normal, high)
+            if sign:
+                least.append(_sum(_times(tangential, -sign), normal, -low))
+                least += [] if limit is None else [_sum(limit, tangential, sign)]
+            elif limit is not None:
+                least += _between(tangential, limit)
+        if state in _SIGNS:
+            least.append({("slip", i): sign * _ONE})
+        return least
+
+    def expanded(self, terms: _Terms) -> _Terms:
+        """Return an expression in unknowns, without symbols."""
+        found: _Terms = {}
+        for key, x in terms.items():
+            _add(found, self.symbols.get(key) or {key: _ONE}, x)
+        return found
+
+    def condition(self, terms: _Terms) -> _Condition:
+        """Return an expression that is 0 or at least 0 with its integers."""
+        found = self.expanded(terms)
+        unit = math.lcm(*(int(x.denominator) for x in found.values()))
+        row = {j: int(x.numerator) * (unit // int(x.denominator)) for j, x in found.items()}
+        return _Condition(terms, row, unit)
 
     def is_chosen(self, i: int) -> bool:
         """Return whether the preload or the friction of a contact is not its own."""
         return self.chosen is None or i in self.chosen
 
+    def slope_of(self, i: int) -> Fraction:
+        """Return what each unit of t adds to the preload of a contact."""
+        if not self.is_chosen(i):
+            return _ZERO
+        return self.preload_slope * self.shares[i] if self.shares else self.preload_slope
+
     def at(self, t: Fraction) -> LinearQuestion:
         """Return the question of one magnitude, which does not change with t."""
         load = tuple(x + t * y for x, y in zip(self.load, self.load_slope, strict=True))
         contacts = tuple(
-            c._replace(preload=c.preload + t * self.preload_slope) if self.is_chosen(i) else c
-            for i, c in enumerate(self.rows)
+            c._replace(preload=c.preload + t * self.slope_of(i)) for i, c in enumerate(self.rows)
         )
         still = (Fraction(0),) * len(load)
         return replace(
@@ -202,98 +303,44 @@ class ContactProgram:
         self, question: LinearQuestion, states: Node, deadline: Effort | None = None
     ) -> None:
         self.question, self.states, self._deadline = question, states, deadline
-        n = question.rows.n
-        forces: list[tuple[int | None, int | None]] = []
-        size = n + 1
-        for i, state in enumerate(states):
-            presses = state in ("loose", "undecided")
-            least, most = question.coefficients(i)
-            slides = question.sign(i, state) and least == most
-            rubs = not (state == "detached" or most == 0 or slides)
-            forces.append((size if presses else None, size + presses if rubs else None))
-            size += presses + rubs
-        self.size, self._t = size, n
-        self._magnitude = [int(j == n) for j in range(size)]
-        #: The columns of tangential forces that are unknowns.
-        self._rubbing = {j: i for i, (_, j) in enumerate(forces) if j is not None}
-        self._symbols = question.symbols
-        self._equal: list[_Terms] = []
-        self._least: list[_Terms] = [{n: _ONE}, *question.sides]
-        self._normal: list[_Terms] = []
-        self._tangential: list[_Terms] = []
-        for i, (state, (pressing, rubbing)) in enumerate(zip(states, forces, strict=True)):
-            self._add_contact(i, state, pressing, rubbing)
-        for j, line in enumerate(question.balance):
-            total = dict(line)
-            for i, (normal, *tangents) in enumerate(question.wrenches):
-                _add(total, self._normal[i], normal[j])
-                for tangent in tangents:
-                    _add(total, self._tangential[i], tangent[j])
-            self._equal.append(total)
-        rows = [self._row(terms) for terms in (*self._least, *self._equal)]
-        #: The rows of all are so many times the expressions.
-        self._units = [unit for _, unit in rows]
-        count = len(self._least)
-        self._rows = [row for row, _ in rows[:count]], [row for row, _ in rows[count:]]
+        n = self._t = question.rows.n
+        contacts = [question.conditions(i, state) for i, state in enumerate(states)]
+        #: The columns of unknown forces.
+        self._columns = {
+            force: n + 1 + k
+            for k, force in enumerate(chain.from_iterable(c.unknowns for c in contacts))
+        }
+        self.size = n + 1 + len(self._columns)
+        self._magnitude = [int(j == n) for j in range(self.size)]
+        self._normal = [contact.normal for contact in contacts]
+        self._tangential = [contact.tangential for contact in contacts]
+        balance = list(map(dict, question.balance))
+        for contact in contacts:
+            for line, terms in zip(balance, contact.wrench, strict=True):
+                _add(line, terms)
+        self._least = [*question.sides, *chain.from_iterable(c.least for c in contacts)]
+        self._equal = [
+            *chain.from_iterable(c.equal for c in contacts),
+            *(question.condition(line) for line in balance),
+        ]
+        rows = ([self._row(x.row) for x in every] for every in (self._least, self._equal))
+        self._rows = next(rows), next(rows)
         self._program = Program(self.size, *self._rows, deadline)
 
-    def _add_contact(self, i: int, state: str, pressing: int | None, rubbing: int | None) -> None:
-        question = self.question
-        spring: _Terms = {("spring", i): _ONE}
-        normal = spring if pressing is None else {pressing: _ONE}
-        tangential: _Terms = {} if rubbing is None else {rubbing: _ONE}
-        low, high = map(_exact, question.coefficients(i))
-        sign = question.sign(i, state)
-        if question.max_displacement is not None and state != "loose":
-            for j in range(2):
-                most = {-1: _exact(question.max_displacement)}
-                self._bounded({("displacement", i, j): _ONE}, most)
-        if state == "detached":
-            self._least.append(_times(spring, -1))
-            normal = tangential = {}
-        else:
-            self._least.append(normal)
-            if state == "undecided":
-                self._least.append(_sum(normal, spring, -1))
-                if question.chords:
-                    self._least.append(_sum({("chord", i): _ONE}, normal, -1))
-            if rubbing is None:
-                tangential = _times(normal, -sign * low)
-            elif sign:
-                self._least.append(_sum(_times(tangential, -sign), normal, -low))
-                if high is not None:
-                    self._least.append(_sum(_times(normal, high), tangential, sign))
-            elif high is not None:
-                self._bounded(tangential, _times(normal, high))
-            if state in _SIGNS:
-                self._least.append({("slip", i): sign * _ONE})
-            elif state == "stick":
-                self._equal.append({("slip", i): _ONE})
-        self._normal.append(normal)
-        self._tangential.append(tangential)
-
-    def _bounded(self, terms: _Terms, most: _Terms) -> None:
-        """Add that the size of an expression is at most another one."""
-        self._least += [_sum(most, terms, sign) for sign in (1, -1)]
-
-    def _expanded(self, terms: _Terms) -> _Terms:
-        """Return an expression without symbols."""
-        found: _Terms = {}
-        for key, x in terms.items():
-            if isinstance(key, int):
-                found[key] = found[key] + x if key in found else x
-            else:
-                _add(found, self._symbols[key], x)
-        return found
-
-    def _row(self, terms: _Terms) -> tuple[tuple[Any, ...], int]:
-        """Return a row of integers, constant last, and how many times the expression it is."""
-        found = self._expanded(terms)
-        unit = math.lcm(*(int(x.denominator) for x in found.values()))
+    def _row(self, terms: Mapping[Any, int]) -> tuple[int, ...]:
+        """Return an expression without symbols, in integers, as a row, constant last."""
         row = [0] * (self.size + 1)
-        for j, x in found.items():
-            row[j] = int(x.numerator) * (unit // int(x.denominator))
-        return tuple(row), unit
+        for key, x in terms.items():
+            row[key if isinstance(key, int) else self._columns[key]] = x
+        return tuple(row)
+
+    def _exact_row(self, terms: _Terms) -> RationalVector:
+        """Return a positive multiple of an expression as a row."""
+        return tuple(map(Fraction, self._whole_row(terms)[0]))
+
+    def _whole_row(self, terms: _Terms) -> tuple[tuple[int, ...], int]:
+        condition = self.question.condition(terms)
+        return self._row(condition.row), condition.unit
 
     @property
     def is_complete(self) -> bool:
@@ -308,11 +355,12 @@ class ContactProgram:
             return self._program.feasible
         pairs = enumerate(zip(self._normal, self._tangential, strict=True))
         forces = [
-            (self._row(normal)[0], self._row(rubbed)[0])
+            (self._exact_row(normal), self._exact_row(rubbed))
             for i, (normal, rubbed) in pairs
             if rubbed and question.coefficients(i)[1] is None
         ]
-        return any_friction_does(self.size, *self._rows, forces, self._deadline)
+        least, equal = ([tuple(map(Fraction, row)) for row in rows] for rows in self._rows)
+        return any_friction_does(self.size, least, equal, forces, self._deadline)
 
     def some_end(self) -> End | None:
         """Return a solution; None if there is none."""
@@ -333,6 +381,14 @@ class ContactProgram:
         unbounded = End(None, [Fraction(0)] * len(self.states), self.states)
         return [start, unbounded if high is None else self._end(-high)]
 
+    def magnitudes(self) -> Interval | None:
+        """Return the least and the largest magnitude of a solution; None if there is none."""
+        low = self._program.least(self._magnitude)
+        if low is None:
+            return None
+        high = self._program.least([-x for x in self._magnitude])
+        return low, None if high is None else -high
+
     def solution(self) -> Solution | None:
         """Return the solution that the last program ended with; None if there is none."""
         if (point := self._point()) is None:
@@ -347,11 +403,11 @@ class ContactProgram:
         if not isinstance(found, Infeasible):
             return None
         left: _Terms = {}
-        every, units = (*self._least, *self._equal), self._units
+        conditions = *self._least, *self._equal
         factors = *found.inequality_multipliers, *found.equality_multipliers
-        for terms, factor, unit in zip(every, factors, units, strict=True):
+        for condition, factor in zip(conditions, factors, strict=True):
             if factor:
-                _add(left, terms, _exact(factor) * unit)
+                _add(left, condition.terms, _exact(factor) * condition.unit)
         multipliers, displacements = (
             {
                 i: tuple(_fraction(-left.get((name, i, *more), 0)) for name, *more in names)
@@ -360,8 +416,9 @@ class ContactProgram:
             for names in _MULTIPLIERS
         )
         n = self.question.rows.n
-        pairs = zip(found.equality_multipliers[-n:], units[-n:], strict=True)
-        return FarkasLeaf(tuple(-x * unit for x, unit in pairs), multipliers, displacements)
+        pairs = zip(found.equality_multipliers[-n:], self._equal[-n:], strict=True)
+        motion = tuple(-x * balance.unit for x, balance in pairs)
+        return FarkasLeaf(motion, multipliers, displacements)
 
     def _point(self) -> RationalVector | None:
         """Return the unknowns that the last program ended with, and 1 as the last number."""
@@ -398,14 +455,14 @@ class ContactProgram:
 
         Both are of one question whose load and preloads do not change with t.
         """
-        equal = [other._carried(terms, self) for terms in other._equal]
+        equal = [other._carried(x.terms, self) for x in other._equal]
         for mine, theirs in ((self._normal, other._normal), (self._tangential, other._tangential)):
             for one, terms in zip(mine, theirs, strict=True):
                 equal.append(_sum(one, other._carried(terms, self), -1))
         if not all(self._least_of(_times(terms, sign)) == 0 for terms in equal for sign in (1, -1)):
             return False
         # The first condition is that of t.
-        lows = (self._least_of(other._carried(terms, self)) for terms in other._least[1:])
+        lows = (self._least_of(other._carried(x.terms, self)) for x in other._least[1:])
         return all(low is not None and low >= 0 for low in lows)
 
     @property
@@ -435,23 +492,28 @@ class ContactProgram:
         assert point is not None
         return not self._value(terms, point) and self._least_of(_times(terms, -1)) == 0
 
-    def _carried(self, terms: _Terms, into: ContactProgram) -> _Terms:
+    @staticmethod
+    def _carried(terms: _Terms, into: ContactProgram) -> _Terms:
         """Return an expression in the unknowns of another program."""
         found: _Terms = {}
-        for j, x in terms.items():
-            i = self._rubbing.get(j)
-            _add(found, {j: _ONE} if i is None else into._tangential[i], x)
+        for key, x in terms.items():
+            is_friction = isinstance(key, tuple) and key[0] == "friction"
+            _add(found, into._tangential[key[1]] if is_friction else {key: _ONE}, x)
         return found
 
     def _least_of(self, terms: _Terms) -> Fraction | None:
         """Return the least value of an expression; None if there is none."""
-        row, unit = self._row(terms)
+        row, unit = self._whole_row(terms)
         least = self._program.least(row[:-1])
         return None if least is None else (least + row[-1]) / unit
 
     def _value(self, terms: _Terms, point: RationalVector) -> Fraction:
         """Return an expression at a point, whose last number is 1."""
-        return _fraction(sum(x * _exact(point[j]) for j, x in self._expanded(terms).items()))
+        places = (
+            (key if isinstance(key, int) else self._columns[key], x)
+            for key, x in self.question.expanded(terms).items()
+        )
+        return _fraction(sum(x * _exact(point[j]) for j, x in places))
 
     def split(self, violations: Sequence[Fraction]) -> list[Node]:
         """Return the node with the open contact furthest from the law decided, likeliest last."""
@@ -497,6 +559,11 @@ def _sum(terms: _Terms, others: _Terms, factor: Any = 1) -> _Terms:
     found = dict(terms)
     _add(found, others, factor)
     return found
+
+
+def _between(terms: _Terms, most: _Terms) -> list[_Terms]:
+    """Return what is at least 0 where the size of an expression is at most another one."""
+    return [_sum(most, terms, sign) for sign in (1, -1)]
 
 
 def _times(terms: _Terms, factor: Any) -> _Terms:

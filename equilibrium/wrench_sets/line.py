@@ -14,18 +14,15 @@ from typing import Any
 
 from arrangement.console.number_form import JsonMixin, ReprMixin
 from arrangement.console.progress import watched
-from arrangement.numbers.exact import RationalVector, dot, primitive
-from arrangement.numbers.linear import programs
+from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import (
     Interval,
     common,
     holds,
-    intersection,
     texts,
     union,
-    where_positive,
 )
-from arrangement.numbers.linear.rank import gauss_jordan
+from equilibrium.core.contact_program import ContactProgram, LinearQuestion
 from equilibrium.core.contact_rows import sum_row
 from equilibrium.decide.nearby import DEPENDS
 from equilibrium.decide.robustness import MAX_ROUNDINGS, met_within_error, others
@@ -33,9 +30,9 @@ from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.assembly import Wrenches
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.rows import ContactRows
 from equilibrium.model.subject import Subject
 from equilibrium.plane.states.contact_states import states_of_code
-from equilibrium.plane.states.state_system import StateSystem, state_system
 
 #: All magnitudes.
 ALL: Interval = (Fraction(0), None)
@@ -94,8 +91,8 @@ def resisted_magnitudes(
         GraspError: a zero direction, or a wrench of wrong length.
 
     Complexity: two small systems for each choice of contact states, in floating point with a proven
-    error bound; for those that this leaves possible an exact elimination, and for singular ones two
-    exact linear programs. Source: [HaasHeger2018], the maps of resisted forces, without search.
+    error bound; for those that this leaves possible two exact linear programs. Source:
+    [HaasHeger2018], the maps of resisted forces, without search.
 
     >>> from equilibrium.grasps.files import read_grasp
     >>> resisted_magnitudes(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).intervals
@@ -108,13 +105,10 @@ def resisted_magnitudes(
     solver.choices.check_cost()
     screen = solver.choices.screen
     possible = screen.codes[screen.possible(start, along)].tolist()
-    systems = (
-        state_system(
-            solver.grasp, states_of_code(row), start, max_displacement=solver.max_displacement
-        )
-        for row in watched(possible, "states")
-    )
-    found = (interval_between(system, system.with_more(along)) for system in systems)
+    rows, bound = ContactRows.of_grasp(solver.grasp), solver.max_displacement
+    question = LinearQuestion(rows, start, along, max_displacement=bound)
+    tried = map(states_of_code, watched(possible, "states"))
+    found = (ContactProgram(question, states).magnitudes() for states in tried)
     parts = [part for part in found if part is not None]
     # The screen speaks of t > 0 only.
     if not any(low == 0 for low, _ in parts) and solver.solve(start).stable:
@@ -200,52 +194,3 @@ def _magnitudes_of(
 
 def _ends(parts: Iterable[Interval]) -> list[Any]:
     return [end for part in parts for end in part]
-
-
-def interval_between(at_zero: StateSystem, at_one: StateSystem) -> Interval | None:
-    """Return the t >= 0 with a solution, of systems whose constants are linear in t.
-
-    Args:
-        at_zero, at_one: the system for t = 0 and for t = 1.
-    """
-    n, (one, other) = at_zero.size, primitive((at_zero.unit, at_one.unit))
-    equalities, inequalities = (
-        [(*row[:-1], end[-1] - row[-1], row[-1]) for row, end in zip(*rows, strict=True)]
-        for rows in (
-            (at_zero.equalities, at_one.equalities),
-            (at_zero.inequalities, at_one.inequalities),
-        )
-    )
-    if one != other:  # the balances of the two are in different units
-        ends = zip(at_zero.equalities[:3], at_one.equalities, strict=False)
-        equalities[:3] = [
-            (*(other * x for x in row[:-1]), one * end[-1] - other * row[-1], other * row[-1])
-            for row, end in ends
-        ]
-    reduced, pivots, scale = gauss_jordan(equalities)
-    if n + 1 in pivots:
-        return None
-    if pivots != list(range(n)):
-        return _by_programs(n, inequalities, equalities)
-    # In integers, for a positive multiple of all: no fraction is reduced on the way.
-    sign = -1 if scale < 0 else 1
-    growth, start = ([*(-sign * row[n + k] for row in reduced)] for k in (0, 1))
-    growth += [sign * scale, 0]
-    start += [0, sign * scale]
-    whole = map(primitive, inequalities)
-    allowed = where_positive((dot(row, growth), dot(row, start)) for row in whole)
-    return None if allowed is None else intersection(allowed, ALL)
-
-
-def _by_programs(
-    n: int, inequalities: list[RationalVector], equalities: list[RationalVector]
-) -> Interval | None:
-    """Return the least and largest magnitude when the equalities leave more than t free."""
-    objective = [Fraction(0)] * n + [Fraction(1)]
-    inequalities.append((*objective, Fraction(0)))
-    program = programs.Program(n + 1, inequalities, equalities)
-    least = program.least(objective)
-    if least is None:
-        return None
-    opposite = program.least([-x for x in objective])
-    return least, None if opposite is None else -opposite

@@ -23,6 +23,7 @@ from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.intervals import Interval, common, holds, union
+from equilibrium.core.contact_program import ContactProgram, LinearQuestion
 from equilibrium.core.contact_rows import negated
 from equilibrium.decide.assemblies.ends import ends_of
 from equilibrium.decide.solver import Solver, prepare
@@ -30,11 +31,12 @@ from equilibrium.decide.state_choices import StateChoices
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, chosen_contacts, read_wrench
+from equilibrium.model.rows import ContactRows
 from equilibrium.plane.states.contact_states import DETACHED, states_of_code
-from equilibrium.plane.states.state_system import States, state_system
+from equilibrium.plane.states.state_system import States
 
 from .friction import TOLERANCE, FrictionBracket, least_friction
-from .line import ALL, Magnitudes, interval_between, resisted_magnitudes
+from .line import ALL, Magnitudes, resisted_magnitudes
 
 
 @dataclass(frozen=True, repr=False)
@@ -209,13 +211,11 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
     load, none = given.total_load(w), negated(given.adhesion_wrench)
     possible = screen.possible(none, load) if any(load) else screen.possible(w)
     tried = watched(screen.codes[possible].tolist(), "contact states")
-    for states in map(states_of_code, tried):
-        systems = (
-            state_system(one, states, w, max_displacement=bound) for one in (unloaded, loaded)
-        )
-        if found := interval_between(*systems):
-            parts.append(found)
-    return Preloads((w,), tuple(given.contact_numbers), union(parts))
+    numbers = tuple(given.contact_numbers)
+    question = _preload_question(given, numbers, w, bound)
+    found = (ContactProgram(question, states).magnitudes() for states in map(states_of_code, tried))
+    parts += [part for part in found if part is not None]
+    return Preloads((w,), numbers, union(parts))
 
 
 def chosen_preloads(
@@ -271,15 +271,26 @@ def chosen_preloads(
     )
     choices = _states_of_preloads(unloaded, loaded)
     for w in loads:
-        parts = []
-        for states in watched(choices, "contact states"):
-            systems = (
-                state_system(one, states, w, max_displacement=bound) for one in (unloaded, loaded)
-            )
-            if part := interval_between(*systems):
-                parts.append(part)
-        found = common(found, union(parts))
+        question = _preload_question(given, chosen, w, bound)
+        tried = watched(choices, "contact states")
+        parts = (ContactProgram(question, states).magnitudes() for states in tried)
+        found = common(found, union(part for part in parts if part is not None))
     return Preloads(loads, chosen, found)
+
+
+def _preload_question(
+    grasp: Grasp, contacts: tuple[int, ...], wrench: RationalVector, bound: Fraction | None
+) -> LinearQuestion:
+    """Return the question with the preload of chosen contacts as the magnitude."""
+    return LinearQuestion(
+        ContactRows.of_grasp(grasp.with_preload(0, contacts)),
+        wrench,
+        (Fraction(0),) * 3,
+        preload_slope=Fraction(1),
+        shares=tuple(contact.share for contact in grasp),
+        chosen=grasp.points_of(contacts),
+        max_displacement=bound,
+    )
 
 
 def _states_of_preloads(unloaded: Grasp, loaded: Grasp) -> list[States]:

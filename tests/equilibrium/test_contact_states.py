@@ -9,14 +9,16 @@ from hypothesis import assume, given, strategies as st
 
 from arrangement.numbers.linear.programs import Infeasible, Optimal, feasible_point, minimize
 from equilibrium import Contact, Grasp, read_grasp, solve
+from equilibrium.core.contact_program import ContactProgram, LinearQuestion
 from equilibrium.decide.state_choices import StateChoices
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+from equilibrium.model.rows import ContactRows
 from equilibrium.plane.states.contact_states import contact_states, states_at, states_of_code
 from equilibrium.plane.states.equilibrium import equilibrium_of
 from equilibrium.plane.states.interval_filter import Screen
 from equilibrium.plane.states.min_norm_point import least_point
 from equilibrium.plane.states.state_system import state_system
-from equilibrium.wrench_sets.line import interval_between, resisted_magnitudes
+from equilibrium.wrench_sets.line import resisted_magnitudes
 
 from . import oracle
 from .degenerate import question
@@ -88,13 +90,12 @@ def assert_true(grasp: Grasp, wrench: tuple, direction: tuple = ()) -> float:
     screen = StateChoices(grasp).screen
     possible = screen.possible(wrench, *[direction] * bool(direction))
     for row in screen.codes[~possible].tolist():
-        system = state_system(grasp, states_of_code(row), wrench)
+        states = states_of_code(row)
         if direction:
-            end = tuple(a + b for a, b in zip(wrench, direction, strict=True))
-            last = state_system(grasp, states_of_code(row), end)
-            assert interval_between(system, last) in (None, (0, 0))
+            question = LinearQuestion(ContactRows.of_grasp(grasp), wrench, direction)
+            assert ContactProgram(question, states).magnitudes() in (None, (0, 0))
         else:
-            assert equilibrium_of(system) is None
+            assert equilibrium_of(state_system(grasp, states, wrench)) is None
     return float((~possible).mean())
 
 

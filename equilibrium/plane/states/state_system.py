@@ -13,7 +13,7 @@ which they work less than the load shows that they cannot.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
@@ -64,12 +64,6 @@ class StateSystem:
     def program(self) -> programs.Program:
         """The exact linear programs over the solutions."""
         return programs.Program(self.size, self.inequalities, self.equalities)
-
-    def with_more(self, load: RationalVector) -> StateSystem:
-        """Return the system for this load besides the one that it has."""
-        balances = zip(self.equalities[:3], load, strict=True)
-        rows = ((*row[:-1], row[-1] + self.unit * w) for row, w in balances)
-        return replace(self, equalities=(*rows, *self.equalities[3:]))
 
     @property
     def size(self) -> int:
