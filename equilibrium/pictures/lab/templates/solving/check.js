@@ -91,7 +91,7 @@ function leafProblem({ scale, wrench, contacts }, region, states, leaf) {
       const free = state === "stick" || !h || (state === "slip-" && h > 0n) || (state === "slip+" && h < 0n);
       if (!free) return `contact ${i + 1}: h has the wrong sign`;
       add(({ e, s }) => scale * (alpha * e[i] + h * s[i]));
-    } else if (["attached", "stick", "slip+", "slip-"].includes(state) || region.every(({ e }) => e[i] >= 0n)) add(({ e }) => kappa * e[i]);
+    } else if (["attached", "stick", "slip+", "slip-"].includes(state) || (state === "undecided" && region.every(({ e }) => e[i] >= 0n))) add(({ e }) => kappa * e[i]);
     else if (state === "undecided" && kappa < 0n) add(({ e }) => (e[i] > 0n ? kappa * e[i] : 0n));
   }
   const bad = least.findIndex((work, g) => work < 0n || (work === 0n && region[g].v[0] !== 0n));
