@@ -29,6 +29,7 @@ from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.units import SearchUnits
 from equilibrium.plane.states.contact_states import states_at
 
+from .short_leaves import with_short_leaves
 from .state_choices import StateChoices
 
 if TYPE_CHECKING:
@@ -114,7 +115,8 @@ class PlanarEngine(Engine):
             raise OutOfReachError(f"undecided: {late}; {more} allows more") from None
         if isinstance(outcome, Solution):
             return units.solution_back(outcome)
-        return Refutation(units.tree_back(outcome))
+        tree = units.tree_back(outcome)
+        return Refutation(with_short_leaves(tree, self.grasp, load, self.max_displacement))
 
     def states(self, solution: Solution) -> tuple[str, ...]:
         """Return the state of each contact in an equilibrium."""
