@@ -498,7 +498,7 @@ EXCEPTIONS = {
     "arrangement.numbers.deadline": "a clock, which decides no answer but that the time is over",
     "arrangement.planes.identification": "values that the census computes, and a text",
     "arrangement.planes.proved": "runs the program proved in Coq, which is not built everywhere",
-    "equilibrium.decide.short_leaves": "other numbers for proofs; the checker accepts each, or they stay",
+    "equilibrium.decide.short_leaves": "shorter numbers for proofs, if the checker accepts them",
     "proofs_check.routes.proved": "runs the program proved in Coq, which is not built everywhere",
     "equilibrium.decide.verdict_text": "text of verdicts",
     "equilibrium.methods.registry": "a table of names",
