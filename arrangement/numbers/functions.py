@@ -19,6 +19,8 @@ from typing import TypeAlias
 from flint import fmpq, fmpq_poly
 from flint.utils.flint_exceptions import DomainError
 
+from arrangement.errors import InputError
+
 from .exact import simplest_between, to_text
 
 #: What a function is combined with.
@@ -61,6 +63,8 @@ class Undecided(ArithmeticError):
         super().__init__(f"{polynomial_text(polynomial, 't')} has more than one sign in {span}")
 
 
+#: Of numerators and denominators.
+_MAX_DEGREE = 1000
 #: Roots with larger denominators are no ends of intervals.
 _LONG = 10**9
 
@@ -169,6 +173,8 @@ class Function:
     denominator = 1
 
     def __init__(self, top: fmpq_poly, below: fmpq_poly, domain: Domain) -> None:
+        if max(top.degree(), below.degree()) > _MAX_DEGREE:
+            raise InputError(f"an expression has a degree above {_MAX_DEGREE}; write a simpler one")
         common = top.gcd(below)
         if common.degree() > 0:
             top, below = top // common, below // common

@@ -107,6 +107,8 @@ def check_parameter(document: Mapping[str, Any]) -> ParameterReport:
     known = {"wrench": document["wrench"]} if "wrench" in document else {}
     question = check_keys(document[about], (), document[about], about)
     family = ParametricQuestion({**question, **known}, letter)
+    # The readers of grasps and assemblies find what is no question.
+    family.at((span.low + span.high) / 2)
     leaves, problem = parameter_problem(family, span, document)
     return ParameterReport(kind, problem, leaves, family=family, span=span)
 
@@ -146,7 +148,10 @@ def decided_problem(
             return rational(value, name)
         if value not in known:
             expression = read_expression(value, family.letter, name)
-            known[value] = expression.value(Function.letter(domain))
+            try:
+                known[value] = expression.value(Function.letter(domain))
+            except ZeroDivisionError:
+                raise CertificateError(f"{name} is {shown(value)}, which divides by zero") from None
         return known[value]
 
     form = form_of(family, read)

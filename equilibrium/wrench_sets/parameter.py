@@ -230,6 +230,7 @@ class _Search:
         #: Ends of gaps near which a value was asked, and trees by the values where they were found.
         self.near: set[Fraction] = set()
         self.trees: dict[Fraction, Any] = {}
+        family.at((between.low + between.high) / 2)  # what is no question is named here
         # Numbers out of range are found here, for all values.
         function_rows(family, Domain(between))
         family.load(Domain(between))

@@ -252,7 +252,7 @@ def test_what_is_accepted_after_a_change_is_true(answers, count):
         ({"contacts": [*LADDER["contacts"], "x"]}, "contacts"),
         (grasp((("0", "0"), ("t", "1"), "1"), wrench="012"), "no rational function"),
         (grasp((("0", "0"), ("t", "t"), "1"), wrench="012"), "no rational function|normal is 0"),
-        (grasp((("0", "0"), ("0", "1"), "t - 1"), wrench="012"), "friction is t - 1, below 0"),
+        (grasp((("0", "0"), ("0", "1"), "t - 1"), wrench="012"), "friction is (t - 1, below 0|-1/2)"),
         (grasp((("1/t", "0"), ("0", "1"), "1"), wrench="012"), "divides by 0"),
         (grasp((("0", "0"), "t", "t"), wrench="012"), "the letter is an angle"),
         (grasp((("0", "0"), "2*t", "1"), wrench="012"), "an angle is t or -t"),
@@ -263,6 +263,25 @@ def test_what_is_no_question_is_one_clear_error(change, words):
     with pytest.raises(InputError, match=words) as caught:
         resisted_values({**LADDER, **change}, 0, 1)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda d: d["motion"].__setitem__(0, "1/0"), "divides by zero"),
+        (lambda d: d["motion"].__setitem__(0, "((t^20)^20)^20"), "a degree above 1000"),
+        (lambda d: d["grasp"]["contacts"][0]["point"].append("0"), "point has 3 coordinates"),
+        (lambda d: d["grasp"].__setitem__("strange", 1), "strange"),
+        (lambda d: d["parameter"].__setitem__("to", "0"), "has no values"),
+        (lambda d: d["parameter"].__setitem__("letter", "s"), "expected an expression in s"),
+    ],
+)
+def test_what_is_no_certificate_is_one_clear_error(change, words):
+    document = json.loads(json.dumps(resisted_values(LADDER, 0, 1).certificates[-1]))
+    assert check(document)
+    change(document)
+    with pytest.raises(InputError, match=words):
+        check(document)
 
 
 def test_comparisons_have_one_answer_or_none():
