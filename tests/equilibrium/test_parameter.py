@@ -252,7 +252,7 @@ def test_what_is_accepted_after_a_change_is_true(answers, count):
         ({"contacts": [*LADDER["contacts"], "x"]}, "contacts"),
         (grasp((("0", "0"), ("t", "1"), "1"), wrench="012"), "no rational function"),
         (grasp((("0", "0"), ("t", "t"), "1"), wrench="012"), "no rational function|normal is 0"),
-        (grasp((("0", "0"), ("0", "1"), "t - 1"), wrench="012"), "friction is (t - 1, below 0|-1/2)"),
+        (grasp((("0", "0"), ("0", "1"), "t - 1"), wrench="012"), "friction is (t - 1|-1/2)"),
         (grasp((("1/t", "0"), ("0", "1"), "1"), wrench="012"), "divides by 0"),
         (grasp((("0", "0"), "t", "t"), wrench="012"), "the letter is an angle"),
         (grasp((("0", "0"), "2*t", "1"), wrench="012"), "an angle is t or -t"),
