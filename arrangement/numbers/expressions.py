@@ -19,7 +19,7 @@ _TOKEN = re.compile(
     r"\s*(?:((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]{1,4})?)|([A-Za-z_]+)|(\*\*|[-+*/^()]))"
 )
 _TURNS = ("sin", "cos", "tan")
-_MAX_LENGTH, _MAX_DEPTH, _MAX_POWER = 1000, 40, 20
+_MAX_LENGTH, _MAX_DEPTH, _MAX_POWER, _MAX_BITS = 20_000, 40, 20, 4000
 
 
 class Expression(NamedTuple):
@@ -79,7 +79,8 @@ class Expression(NamedTuple):
         Raises:
             InputError: it is another angle.
         """
-        assert turn is not None
+        if turn is None:
+            raise InputError("sin, cos and tan are for a question in which the letter is an angle")
         start, step, bend = (self.value(Fraction(x)) for x in (0, 1, 2))
         quarters, slope = start / 90, step - start
         if bend - step != slope or slope not in (1, -1) or quarters.denominator != 1:
@@ -106,8 +107,15 @@ def _divided(x: Any, y: Any) -> Any:
 def _power(x: Any, power: int) -> Any:
     result: Any = Fraction(1)
     for _ in range(power):
-        result = result * x
+        result = _short(result * x)
     return result
+
+
+def _short(x: Any) -> Any:
+    """Return a number; refuse a very long one, which powers make of few characters."""
+    if isinstance(x, Fraction) and max(map(int.bit_length, x.as_integer_ratio())) > _MAX_BITS:
+        raise InputError(f"an expression has a number of more than {_MAX_BITS} bits; write another")
+    return x
 
 
 def read_expression(text: Any, letter: str, name: str = "number") -> Expression:
@@ -201,7 +209,7 @@ class _Reader:
             raise self._error("ends too early")
         kind, token = self.tokens.pop(0)
         if kind == "number":
-            return Expression("number", (rational(token, self.name),))
+            return Expression("number", (_short(rational(token, self.name)),))
         if kind == "word" and token == self.letter:
             return Expression("letter", ())
         if token in _TURNS and self._next("("):

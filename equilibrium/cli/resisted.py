@@ -116,6 +116,10 @@ def _values(arguments: argparse.Namespace) -> Answer:
     from equilibrium.wrench_sets.text import values_answer
 
     _check_form(arguments, None, PARAMETER)
+    for name in ("preload", "round_normals", "as_given"):
+        if getattr(arguments, name, None) not in (None, False):
+            option = name.replace("_", "-")
+            raise GraspError(f"--{option} does not go with {PARAMETER}; write it into the file")
     letter, low, high = read_range(arguments.parameter)
     family = read_parametric(arguments.grasp, letter, arguments.on or arguments.wrench)
     tolerance = arguments.tolerance or TOLERANCE

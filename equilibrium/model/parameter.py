@@ -77,6 +77,8 @@ class ParametricQuestion:
         if not isinstance(self.letter, str) or not _LETTER.fullmatch(self.letter):
             raise GraspError(f"the parameter is {shown(self.letter)}; expected one letter, as t")
         for i, entry in enumerate(check_list(self.document.get("contacts"), "contacts")):
+            if {"angle", "normal"} <= set(entry):
+                raise GraspError(f"contacts[{i}] has an angle and a normal; keep one")
             direction = "angle" if "angle" in entry else "normal"
             check_keys(entry, ("point", direction, "friction"), entry, f"contacts[{i}]")
             if {"share", "pad", "points"} & entry.keys():

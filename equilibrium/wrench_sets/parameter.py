@@ -11,7 +11,7 @@ gap that is named.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -93,7 +93,8 @@ class ResistedValues(ReprMixin):
         pieces: intervals with proofs, in order.
         gaps: what is not proved, in order; each is no wider than the tolerance, unless
             `complete` is false.
-        complete: whether the search ended by itself.
+        complete: whether no gap is wider than the tolerance.
+        tolerance: of an angle, that of the tangent of its half.
     """
 
     family: ParametricQuestion
@@ -101,6 +102,7 @@ class ResistedValues(ReprMixin):
     pieces: tuple[Piece, ...]
     gaps: tuple[Gap, ...]
     complete: bool = True
+    tolerance: Fraction = TOLERANCE
     repr_fields = ("resisted", "not_resisted", "gaps")
 
     @property
@@ -242,7 +244,8 @@ class _Search:
         gaps = tuple(Gap(gap.low, gap.high) for gap in self._gaps())
         complete = all(gap.high - gap.low <= self.tolerance for gap in gaps)
         pieces = tuple(self._merged())
-        return ResistedValues(self.family, self.between, pieces, gaps, complete)
+        answer = ResistedValues(self.family, self.between, pieces, gaps, complete)
+        return replace(answer, tolerance=self.tolerance)
 
     def _merged(self) -> list[Piece]:
         """Return the pieces with one in place of neighbours, where one proof holds for both."""

@@ -335,7 +335,7 @@ def _search_lines(searched: SearchMap, unit: str) -> Iterator[str]:
 
 def values_answer(answer: ResistedValues) -> Answer:
     """Return the intervals of a parameter with proofs, and what is between them."""
-    yes = bool(answer.resisted) if answer.complete or answer.resisted else None
+    yes = True if answer.resisted else None if answer.gaps else False
     return Answer(answer.to_dict(), _values_lines(answer), yes)
 
 
@@ -345,7 +345,11 @@ def _values_lines(answer: ResistedValues) -> Iterator[str]:
             yield f"{verdict} for {_span_text(answer, span)}"
         if not spans and answer.complete:
             yield f"{verdict} for no proved {answer.family.letter}"
-    for end in answer.ends:
+    ends = [end for end in answer.ends if end.gap.high - end.gap.low <= answer.tolerance]
+    for gap in answer.gaps:
+        if gap not in (end.gap for end in ends):
+            yield f"undecided {_gap_text(answer, gap)}"
+    for end in ends:
         exact = end.gap.low == end.gap.high
         place = (
             f"{_letter_text(answer, end.value)} exactly" if exact else _gap_text(answer, end.gap)
@@ -353,8 +357,6 @@ def _values_lines(answer: ResistedValues) -> Iterator[str]:
         yield f"the end is {place}"
         if end.gives:
             yield f"  in all equilibria at {_letter_text(answer, end.value)}: {end.gives.words}"
-    if not answer.complete:
-        yield "undecided: the search ended; what is left is named with --json"
     proofs = counted(len(answer.pieces), "certificate")
     yield f"{proofs}, each for all values of an interval; --json has them for `equilibrium verify`"
 
@@ -377,7 +379,7 @@ def _letter_text(answer: ResistedValues, value: Fraction) -> str:
 
 
 def _gap_text(answer: ResistedValues, gap: tuple[Fraction, Fraction]) -> str:
-    if answer.family.is_angle:
+    if answer.family.is_angle or gap[1] - gap[0] > answer.tolerance:
         return f"between {_letter_text(answer, gap[0])} and {_letter_text(answer, gap[1])}"
     return f"in {bracket(*gap)}"
 

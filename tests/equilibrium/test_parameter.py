@@ -257,6 +257,13 @@ def test_what_is_accepted_after_a_change_is_true(answers, count):
         (grasp((("0", "0"), "t", "t"), wrench="012"), "the letter is an angle"),
         (grasp((("0", "0"), "2*t", "1"), wrench="012"), "an angle is t or -t"),
         (grasp((("0", "0"), ("0", "1"), "1"), wrench="012"), "stands nowhere"),
+        (
+            grasp((("0", "0"), ("0", "1"), "t", {"angle": "0"}), wrench="012"),
+            "an angle and a normal; keep one",
+        ),
+        (grasp((("0", "0"), ("0", "1"), "sin(cos(t))"), wrench="012"), "letter is an angle"),
+        (grasp((("0", "0"), ("0", "1"), "t/1e4999"), wrench="012"), "more than 4000 bits"),
+        (grasp((("0", "0"), ("0", "1"), "t + ((9^20)^20)^20"), wrench="012"), "4000 bits"),
     ],
 )
 def test_what_is_no_question_is_one_clear_error(change, words):
@@ -269,6 +276,8 @@ def test_what_is_no_question_is_one_clear_error(change, words):
     ("change", "words"),
     [
         (lambda d: d["motion"].__setitem__(0, "1/0"), "divides by zero"),
+        (lambda d: d["motion"].__setitem__(0, "cos(t)"), "letter is an angle"),
+        (lambda d: d["grasp"]["contacts"][0].__setitem__("angle", "90"), "keep one"),
         (lambda d: d["motion"].__setitem__(0, "((t^20)^20)^20"), "a degree above 1000"),
         (lambda d: d["grasp"]["contacts"][0]["point"].append("0"), "point has 3 coordinates"),
         (lambda d: d["grasp"].__setitem__("strange", 1), "strange"),
@@ -318,5 +327,12 @@ def test_tables_and_the_command(tmp_path, capsys):
         assert "all t in" in capsys.readouterr().out
     assert main([*line[:-1], "t=0..1/2"]) == 1
     assert main([*line[:-1], "t=0-1"]) == 2
+    assert main([*line, "--preload", "1"]) == 2
+    assert "--preload does not go with --parameter" in capsys.readouterr().err
+    stack = tmp_path / "stack.json"
+    stack.write_text(json.dumps({**STACK, "wrench": {}}))
+    on = ["--on", "lower", "0", "-1", "0", "--on", "upper", "1", "-1", "-1"]
+    assert main(["resisted", str(stack), *on, "--parameter", "t=0..1"]) == 2
+    assert "stands nowhere" in capsys.readouterr().err
     assert main([*line, "--margin"]) == 2
     assert "--margin goes with a load" in capsys.readouterr().err

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -33,9 +33,7 @@ def read_range(text: str) -> tuple[str, str, str]:
     return match[1], match[2], match[3]
 
 
-def read_parametric(
-    source: Source, letter: str = "t", wrench: Sequence[Any] | None = None
-) -> ParametricQuestion:
+def read_parametric(source: Source, letter: str = "t", wrench: Any = None) -> ParametricQuestion:
     """Read a question whose numbers may be expressions in a letter.
 
     Args:
@@ -52,7 +50,9 @@ def read_parametric(
     else:
         document = dict(read_contacts(source, floats=decimal_text))
     if wrench is not None:
-        document["wrench"] = wrench if isinstance(wrench, Mapping) else list(wrench)
+        is_each = isinstance(wrench, Mapping)
+        rows = {name: list(row) for name, row in wrench.items()} if is_each else list(wrench)
+        document["wrench"] = rows
     if "wrench" not in document and "bodies" not in document:
         raise GraspError(
             'there is no wrench; give one, or write the key "wrench" into the document'
