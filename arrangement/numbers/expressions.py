@@ -1,7 +1,8 @@
 """Expressions in one letter, as ``3/2 - t``, ``2*t`` or ``(1 - t^2)/(1 + t^2)``: read, never run.
 
 They have numbers, the letter, ``+ - * / ^``, parentheses, and ``sin``, ``cos`` and ``tan`` of the
-letter in degrees plus quarter turns. ``2t`` is ``2*t``; powers are whole numbers up to 20.
+letter in degrees plus quarter turns. ``2t`` is ``2*t``, but not behind a ``/``, as in ``1/2t``.
+Powers are whole numbers up to 20.
 """
 
 from __future__ import annotations
@@ -185,12 +186,14 @@ class _Reader:
         return total
 
     def _product(self) -> Expression:
-        product = self._power()
+        product, last = self._power(), ""
         while self.tokens:
             sign = self._next("*", "/")
             if not sign and not (self.tokens[0][0] == "word" or self.tokens[0][1] == "("):
                 break
-            product = Expression(sign or "*", (product, self._power()))
+            if not sign and last == "/":
+                raise self._error("has a product without * behind a /")
+            product, last = Expression(sign or "*", (product, self._power())), sign
         return product
 
     def _power(self) -> Expression:

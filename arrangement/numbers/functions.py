@@ -52,19 +52,13 @@ class Span:
 
 
 class Undecided(ArithmeticError):
-    """A comparison with more than one answer on an interval.
-
-    Attributes:
-        polynomial: whose sign is not the same everywhere; its roots part the interval.
-    """
-
-    def __init__(self, polynomial: fmpq_poly, span: Span) -> None:
-        self.polynomial, self.span = polynomial, span
-        super().__init__(f"{polynomial_text(polynomial, 't')} has more than one sign in {span}")
+    """A comparison with more than one answer on an interval."""
 
 
 #: Of numerators and denominators.
 _MAX_DEGREE = 1000
+#: How near to a root an interval is cut, if nothing else is asked.
+_WIDTH = Fraction(1, 10**9)
 #: Roots with larger denominators are no ends of intervals.
 _LONG = 10**9
 
@@ -77,13 +71,17 @@ class Domain:
         value: in it; where it is given, comparisons narrow the interval around it, else they raise
             `Undecided`.
         width: how near to roots that are irrational, or long, the interval is cut.
+        letter: its name in texts.
     """
 
     def __init__(
-        self, span: Span, value: Fraction | None = None, width: Fraction | None = None
+        self,
+        span: Span,
+        value: Fraction | None = None,
+        width: Fraction = _WIDTH,
+        letter: str = "t",
     ) -> None:
-        self.span, self.value = span, value
-        self.width = Fraction(1, 10**9) if width is None else width
+        self.span, self.value, self.width, self.letter = span, value, width, letter
 
     def decide(self, polynomial: fmpq_poly, wanted: set[int]) -> bool:
         """Return whether all signs of a polynomial are among those wanted.
@@ -97,7 +95,8 @@ class Domain:
         if not signs & wanted:
             return False
         if self.value is None:
-            raise Undecided(polynomial, self.span)
+            text = polynomial_text(polynomial, self.letter)
+            raise Undecided(f"{text} has more than one sign in {self.span}")
         answer = _sign(polynomial(_rational(self.value))) in wanted
         self._narrow(polynomial, roots, lambda sign: (sign in wanted) == answer)
         return answer
@@ -283,8 +282,9 @@ class Function:
     def __hash__(self) -> int:
         return hash((tuple(self.top.coeffs()), tuple(self.below.coeffs())))
 
-    def text(self, letter: str = "t") -> str:
+    def text(self) -> str:
         """Return the function as text that `read_expression` takes."""
+        letter = self.domain.letter
         top = polynomial_text(self.top, letter)
         if not self.below.degree():
             return top

@@ -67,7 +67,11 @@ class ParameterReport(Report):
         assert self.family is not None
         document = self.family.document
         of = f"tan({self.family.letter} / 2)" if self.family.is_angle else self.family.letter
-        lines = [f"all {of} in {self.span}", f"wrench {_words(document.get('wrench', '0'))}"]
+        lines = [f"all {of} in {self.span}"]
+        if "wrench" in document or "bodies" not in document:
+            lines.append(f"wrench {_words(document.get('wrench', '0'))}")
+        else:
+            lines += [f"body {_words(body)}" for body in document["bodies"]]
         for i, entry in enumerate(document["contacts"], 1):
             pairs = (f"{key} {_words(x)}" for key, x in entry.items())
             lines.append(f"contact {i}: {', '.join(pairs)}")
@@ -122,7 +126,7 @@ def parameter_problem(
         proof: "motion" and "forces", or "tree".
     """
     try:
-        return decided_problem(family, Domain(span), proof)
+        return decided_problem(family, Domain(span, letter=family.letter), proof)
     except Undecided as undecided:
         return 0, f"a comparison has no one answer: {undecided}"
 
@@ -201,8 +205,9 @@ def read_parameter(entry: Any) -> tuple[str, Span]:
     check_keys(entry, ("letter", "from", "to"), ("without",), "parameter")
     low, high = (rational(entry[key], f"parameter.{key}") for key in ("from", "to"))
     without = check_list(entry.get("without", []), "parameter.without")
-    if not all(end in ("from", "to") for end in without):
-        raise CertificateError(f'parameter.without is {shown(without)}; expected "from" and "to"')
+    if not all(end in ("from", "to") for end in without) or len({*without}) < len(without):
+        given = shown(without)
+        raise CertificateError(f'parameter.without is {given}; expected "from", "to" or both')
     span = Span(low, high, "from" not in without, "to" not in without)
     if low > high or (low == high and without):
         raise CertificateError(f"the interval {span} has no values; expected from below to")

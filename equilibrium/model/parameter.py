@@ -104,19 +104,13 @@ class ParametricQuestion:
         angles = any(entry["angle"].has_letter for entry in entries if "angle" in entry)
         return angles or any(expression.has_turn for expression in self._expressions)
 
-    def words(self, value: Fraction) -> str:
-        """Return what the letter is at a value, of an angle in degrees."""
-        if not self.is_angle:
-            return f"{self.letter} = {to_text(value)}"
-        return f"{self.letter} = {self.degrees(value):.6g} degrees"
-
     @staticmethod
     def degrees(value: Fraction) -> float:
         """Return an angle in degrees from the tangent of its half."""
         return math.degrees(2 * math.atan(value))
 
     def value(self, letter: Fraction) -> Fraction:
-        """Return the value where the letter is a number; of an angle nearly, from below.
+        """Return the value where the letter is a number; of an angle nearly.
 
         Raises:
             GraspError: an angle that is not above -180 and below 180 degrees.

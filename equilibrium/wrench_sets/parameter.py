@@ -11,7 +11,7 @@ gap that is named.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -234,8 +234,9 @@ class _Search:
         self.trees: dict[Fraction, Any] = {}
         family.at((between.low + between.high) / 2)  # what is no question is named here
         # Numbers out of range are found here, for all values.
-        function_rows(family, Domain(between))
-        family.load(Domain(between))
+        domain = Domain(between, letter=family.letter)
+        function_rows(family, domain)
+        family.load(domain)
 
     def answer(self) -> ResistedValues:
         """Return the answer."""
@@ -244,8 +245,8 @@ class _Search:
         gaps = tuple(Gap(gap.low, gap.high) for gap in self._gaps())
         complete = all(gap.high - gap.low <= self.tolerance for gap in gaps)
         pieces = tuple(self._merged())
-        answer = ResistedValues(self.family, self.between, pieces, gaps, complete)
-        return replace(answer, tolerance=self.tolerance)
+        known = pieces, gaps, complete, self.tolerance
+        return ResistedValues(self.family, self.between, *known)
 
     def _merged(self) -> list[Piece]:
         """Return the pieces with one in place of neighbours, where one proof holds for both."""
@@ -362,7 +363,7 @@ class _Search:
 
     def _reach(self, proof: Mapping[str, Any], value: Fraction, gap: Span) -> Span | None:
         """Return the interval around a value, or on one side of it, where a proof holds."""
-        domain = Domain(gap, value, self.tolerance / 8)
+        domain = Domain(gap, value, self.tolerance / 8, self.family.letter)
         try:
             return None if decided_problem(self.family, domain, proof)[1] else domain.span
         except ZeroDivisionError:
@@ -394,7 +395,7 @@ def _between(first: Any, last: Any, start: Fraction, end: Fraction, letter: str)
     sign = 1 if end > start else -1
     x, y = sign * Fraction(first), sign * Fraction(last)
     slope, constant = y - x, x * end - y * start
-    return f"({to_text(slope)})*{letter} + {to_text(constant)}".replace("+ -", "- ")
+    return f"({to_text(slope)})*{letter} + ({to_text(constant)})" if slope else to_text(constant)
 
 
 def _simpler(node: Any, most: int) -> Any:
@@ -438,7 +439,7 @@ def _carried(
     Args:
         slips_at_limit: whether contacts that stick with friction at its limit may slip.
     """
-    domain = Domain(Span(value, value))
+    domain = Domain(Span(value, value), letter=family.letter)
     rows: Any = function_rows(family, domain)
     load, motion = family.load(domain), document["motion"]
     names = family.names or ()
@@ -488,12 +489,11 @@ def _carried(
         [_applied(pair, solved) for pair in (full[i], full[len(rows) + i])]
         for i in range(len(rows))
     ]
-    letter = family.letter
-    texts = [x.text(letter) for x in solved[:n]]
+    texts = [x.text() for x in solved[:n]]
     by_name = {name: texts[3 * k : 3 * k + 3] for k, name in enumerate(names)}
     return {
         "motion": by_name if names else texts,
-        "forces": [[x.text(letter) for x in pair] for pair in forces],
+        "forces": [[x.text() for x in pair] for pair in forces],
     }
 
 

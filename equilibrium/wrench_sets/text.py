@@ -343,8 +343,8 @@ def _values_lines(answer: ResistedValues) -> Iterator[str]:
     for verdict, spans in (("resisted", answer.resisted), ("not resisted", answer.not_resisted)):
         for span in spans:
             yield f"{verdict} for {_span_text(answer, span)}"
-        if not spans and answer.complete:
-            yield f"{verdict} for no proved {answer.family.letter}"
+        if not spans:
+            yield f"no value is proved to be {verdict}"
     ends = [end for end in answer.ends if end.gap.high - end.gap.low <= answer.tolerance]
     for gap in answer.gaps:
         if gap not in (end.gap for end in ends):
@@ -357,6 +357,8 @@ def _values_lines(answer: ResistedValues) -> Iterator[str]:
         yield f"the end is {place}"
         if end.gives:
             yield f"  in all equilibria at {_letter_text(answer, end.value)}: {end.gives.words}"
+    if answer.family.is_angle:
+        yield f"degrees are rounded; certificates are about tan({answer.family.letter}/2)"
     proofs = counted(len(answer.pieces), "certificate")
     yield f"{proofs}, each for all values of an interval; --json has them for `equilibrium verify`"
 

@@ -40,7 +40,7 @@ CLIMBER = grasp((*FLOOR, "2/5"), (*WALL, "2/5"), wrench=("0", "-1", "-4*t"))
 LEANING = grasp(
     (("0", "0"), ("0", "1"), "1/2"),
     (("cos(t)", "sin(t)"), ("-1", "0"), "0"),
-    wrench=("0", "-1", "-1/2 cos(t)"),
+    wrench=("0", "-1", "-cos(t)/2"),
 )
 #: A block on a slope of t degrees with friction 1/2: it slides where tan t > 1/2.
 SLOPE = grasp(
@@ -248,6 +248,7 @@ def test_what_is_accepted_after_a_change_is_true(answers, count):
     [
         ({"wrench": ["0", "-1", "t t t +"]}, "ends too early"),
         ({"wrench": ["0", "-1", "__import__('os')"]}, "expected an expression in t"),
+        ({"wrench": ["0", "-1", "t/2t"]}, "a product without [*] behind a /"),
         ({"wrench": ["0", "-1"]}, "wrench has 2 entries; expected 3"),
         ({"contacts": [*LADDER["contacts"], "x"]}, "contacts"),
         (grasp((("0", "0"), ("t", "1"), "1"), wrench="012"), "no rational function"),
@@ -282,6 +283,7 @@ def test_what_is_no_question_is_one_clear_error(change, words):
         (lambda d: d["grasp"]["contacts"][0]["point"].append("0"), "point has 3 coordinates"),
         (lambda d: d["grasp"].__setitem__("strange", 1), "strange"),
         (lambda d: d["parameter"].__setitem__("to", "0"), "has no values"),
+        (lambda d: d["parameter"].__setitem__("without", ["to", "to"]), "expected .from., .to."),
         (lambda d: d["parameter"].__setitem__("letter", "s"), "expected an expression in s"),
     ],
 )
@@ -330,9 +332,10 @@ def test_tables_and_the_command(tmp_path, capsys):
     assert main([*line, "--preload", "1"]) == 2
     assert "--preload does not go with --parameter" in capsys.readouterr().err
     stack = tmp_path / "stack.json"
-    stack.write_text(json.dumps({**STACK, "wrench": {}}))
-    on = ["--on", "lower", "0", "-1", "0", "--on", "upper", "1", "-1", "-1"]
-    assert main(["resisted", str(stack), *on, "--parameter", "t=0..1"]) == 2
-    assert "stands nowhere" in capsys.readouterr().err
+    rough = [{**c, "friction": "t"} if c["body_b"] else c for c in STACK["contacts"]]
+    stack.write_text(json.dumps({**STACK, "contacts": rough, "wrench": {}}))
+    on = ["--on", "lower", "0", "-1", "0", "--on", "upper", "1/4", "-1", "-1/4"]
+    assert main(["resisted", str(stack), *on, "--parameter", "t=0..1"]) == 0
+    assert "resisted for 1/4 <= t <= 1\n" in capsys.readouterr().out
     assert main([*line, "--margin"]) == 2
     assert "--margin goes with a load" in capsys.readouterr().err
