@@ -163,8 +163,8 @@ def _proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
             f"{number(done.load)}, the contacts at least {number(done.least)}"
         )
         for i, factor in enumerate(done.factors):
-            work = "none" if factor is None else f"at least {number(factor)} times its normal force"
-            yield f"    {names[i]}  {work}"
+            work = "none" if factor is None else f"{number(factor)} of its normal force"
+            yield f"    least work at {names[i]}: {work}"
 
 
 def _cases(closed: list[ClosedPart], names: Sequence[str]) -> dict[str, list[ClosedPart]]:

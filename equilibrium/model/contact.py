@@ -46,9 +46,8 @@ _OPTIONAL = ("stiffness", "preload", "adhesion", "tangent", "share")
 
 #: Why a grasp in space is refused by what knows the plane only.
 IN_SPACE = (
-    "this grasp is in space (three coordinates), and this is known for grasps in the plane "
-    "only; `equilibrium solve`, `verify`, `info`, `resisted` with a load and some views of "
-    "`draw` take both"
+    "this takes planar grasps; this one is spatial (three coordinates). Use `equilibrium solve`, "
+    "`verify`, `info`, `resisted` with a load, or a view of `draw` for grasps in space"
 )
 
 

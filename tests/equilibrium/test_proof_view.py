@@ -129,13 +129,13 @@ WORDS = """\
 not resisted: no contact state admits an equilibrium
 proof: no contact forces in the friction cones balance the load
   x >= 0: on the virtual motion (-1, 2, 0) the load does work 11/5, the contacts at least -2
-    contact 1  at least -2 times its normal force
-    contact 2  at least 3/2 times its normal force
-    contact 3  at least 0 times its normal force
+    least work at contact 1: -2 of its normal force
+    least work at contact 2: 3/2 of its normal force
+    least work at contact 3: 0 of its normal force
   x <= 0: on the virtual motion (1, 2, 0) the load does work 11/5, the contacts at least -2
-    contact 1  at least 0 times its normal force
-    contact 2  at least 3/2 times its normal force
-    contact 3  at least -2 times its normal force
+    least work at contact 1: 0 of its normal force
+    least work at contact 2: 3/2 of its normal force
+    least work at contact 3: -2 of its normal force
 """
 
 
