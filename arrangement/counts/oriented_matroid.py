@@ -1,7 +1,10 @@
 """Oriented-matroid data of an arrangement, from determinants of its normals.
 
-Signs are over the input planes in input order, as everywhere. Nothing here uses an enumerator:
-cocircuits are read off the chirotope, and covectors are their compositions.
+Signs are over the input planes in input order, as everywhere. The oriented matroid of an affine
+arrangement is that of its `cone`: it has one element more, the plane at infinity, which is the last
+one. So every function below has a sign more there than `Arrangement.sign_vectors`, whose rows are
+the covectors with a + at infinity, without it. Nothing here uses an enumerator: cocircuits are read
+off the chirotope, and covectors are their compositions.
 Source: A. Bjoerner, M. Las Vergnas, B. Sturmfels, N. White, G. Ziegler, Oriented Matroids
 (2nd ed. 1999), sections 3.5 and 3.7.
 """
@@ -30,21 +33,17 @@ def chirotope(arrangement: Planes) -> Mapping[tuple[int, ...], int]:
     """Return the sign of the determinant of every r normals, r the rank, in increasing order.
 
     Defined up to one common sign: if r < d, the determinants are those of the pivot columns.
-    For an affine arrangement take the chirotope of its `cone`.
+    An affine arrangement has the chirotope of its `cone`, with the plane at infinity last.
 
     Complexity: C(m, r) determinants.
-
-    Raises:
-        InputError: if the arrangement is not central.
 
     >>> from arrangement import Arrangement
     >>> dict(chirotope(Arrangement([[1, 0], [0, 1], [1, 1]])))
     {(0, 1): 1, (0, 2): 1, (1, 2): -1}
     """
-    if not arrangement.is_central:
-        raise InputError("the arrangement is not central; take the chirotope of its cone")
-    normals = [plane[:-1] for plane in arrangement.integer_planes]
-    columns = pivot_columns(normals, arrangement.dimension)
+    central = _central(arrangement)
+    normals = [plane[:-1] for plane in central.integer_planes]
+    columns = pivot_columns(normals, central.dimension)
     rows = [[normal[j] for j in columns] for normal in normals]
     number = budget.choose(len(rows), len(columns))
     budget.check_cost(
@@ -57,6 +56,11 @@ def chirotope(arrangement: Planes) -> Mapping[tuple[int, ...], int]:
         chosen: sign(determinant([rows[i] for i in chosen]))
         for chosen in combinations(range(len(rows)), len(columns))
     }
+
+
+def _central(arrangement: Planes) -> Planes:
+    """Return a central arrangement itself, and of an affine one the cone."""
+    return arrangement if arrangement.is_central else cone(arrangement)
 
 
 def chirotope_string(arrangement: Planes, order: str = "reverse-lexicographic") -> str:
@@ -77,7 +81,7 @@ def chirotope_string(arrangement: Planes, order: str = "reverse-lexicographic") 
     """
     if order not in ORDERS:
         raise InputError(f"the order is {shown(order)}; expected one of {' and '.join(ORDERS)}")
-    values = chirotope(arrangement if arrangement.is_central else cone(arrangement))
+    values = chirotope(arrangement)
     rows = sorted(values, key=lambda row: row[::-1]) if order == ORDERS[0] else values
     return sign_text([values[row] for row in rows])
 
@@ -92,7 +96,7 @@ def cocircuits(arrangement: Planes) -> frozenset[SignVector]:
     >>> sorted(cocircuits(Arrangement([[1, 0], [0, 1]])))
     [(-1, 0), (0, -1), (0, 1), (1, 0)]
     """
-    central = arrangement if arrangement.is_central else cone(arrangement)
+    central = _central(arrangement)
     return frozenset(_as_signs(masks, len(central)) for masks in _cocircuit_masks(central))
 
 
@@ -109,7 +113,7 @@ def circuits(arrangement: Planes) -> frozenset[SignVector]:
     >>> sorted(circuits(Arrangement([[1, 0], [0, 1], [1, 1]])))
     [(-1, -1, 1), (1, 1, -1)]
     """
-    central = arrangement if arrangement.is_central else cone(arrangement)
+    central = _central(arrangement)
     chi = chirotope(central)
     signed: set[SignVector] = set()
     for chosen in combinations(range(len(central)), len(next(iter(chi))) + 1):
@@ -131,24 +135,20 @@ def bases(arrangement: Planes) -> tuple[tuple[int, ...], ...]:
     >>> bases(Arrangement([[1, 0], [0, 1], [2, 0]]))
     ((0, 1), (1, 2))
     """
-    central = arrangement if arrangement.is_central else cone(arrangement)
-    return tuple(chosen for chosen, value in chirotope(central).items() if value)
+    return tuple(chosen for chosen, value in chirotope(arrangement).items() if value)
 
 
 def dual_chirotope(arrangement: Planes) -> Mapping[tuple[int, ...], int]:
     """Return the chirotope of the dual oriented matroid, whose cocircuits are the `circuits`.
 
     Of the planes outside a basis B it is the sign of B, times that of the permutation that puts
-    them behind B. Defined up to one common sign.
-
-    Raises:
-        InputError: if the arrangement is not central.
+    them behind B. Defined up to one common sign. An affine arrangement has that of its cone.
 
     >>> from arrangement import Arrangement
     >>> dual_chirotope(Arrangement([[1, 0], [0, 1], [1, 1]]))
     {(2,): 1, (1,): -1, (0,): -1}
     """
-    everything = set(range(len(arrangement)))
+    everything = set(range(len(_central(arrangement))))
     dual = {}
     for chosen, value in chirotope(arrangement).items():
         moved = sum(plane - k for k, plane in enumerate(chosen))
@@ -157,26 +157,27 @@ def dual_chirotope(arrangement: Planes) -> Mapping[tuple[int, ...], int]:
 
 
 def covectors(arrangement: Planes) -> frozenset[SignVector]:
-    """Return the sign vectors of all faces: the compositions of cocircuits.
+    """Return the covectors: the compositions of cocircuits, 0 included.
 
-    An affine arrangement has the covectors of its cone on the side z > 0, without that sign.
+    Of a central arrangement these are the sign vectors of all faces. An affine one has the
+    covectors of its cone: its faces have the last sign 1, those opposite to them -1, and those at
+    infinity 0.
 
     Complexity: (covectors) times (cocircuits).
 
     >>> from arrangement import Arrangement
-    >>> len(covectors(Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])))
-    19
+    >>> from collections import Counter
+    >>> lines = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
+    >>> Counter(vector[-1] for vector in covectors(lines)) == {1: 19, -1: 19, 0: 13}
+    True
     """
-    central = arrangement if arrangement.is_central else cone(arrangement)
-    size = len(central)
-    signs = {_as_signs(masks, size) for masks in _compositions(_cocircuit_masks(central))}
-    if arrangement.is_central:
-        return frozenset(signs)
-    return frozenset(vector[:-1] for vector in signs if vector[-1] > 0)
+    central = _central(arrangement)
+    composed = _compositions(_cocircuit_masks(central))
+    return frozenset(_as_signs(masks, len(central)) for masks in composed)
 
 
 def topes(arrangement: Planes) -> frozenset[SignVector]:
-    """Return the sign vectors of the regions: the covectors without zeros.
+    """Return the topes: the covectors without zeros, of an affine arrangement those of its cone.
 
     >>> from arrangement import Arrangement
     >>> sorted(topes(Arrangement([[1, 0], [0, 1]])))
