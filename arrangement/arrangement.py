@@ -16,6 +16,7 @@ from . import counts
 from .console.plugins import attached
 from .console.writing import write_text_atomically
 from .counts import completeness
+from .counts.operations import flat_chart
 from .counts.whitney import f_vector, region_count
 from .enumeration import regions
 from .enumeration.choose import enumerate_faces, enumerate_regions, enumerate_regions_inside
@@ -164,6 +165,21 @@ class Arrangement(HintsMixin, Planes):
             )
         return face
 
+    def sign_vector(self, point: Iterable[Any]) -> tuple[int, ...]:
+        """Return the side of each hyperplane on which a point lies, or 0 on it; see `signs_at`."""
+        return self.signs_at(point)
+
+    def center(self) -> Face | None:
+        """Return the face on all hyperplanes, as a point of it and its signs, 0; None without one.
+
+        >>> Arrangement([[1, 0], [0, 1], [1, 1]], [1, 2, 3]).center().dimension
+        0
+        >>> Arrangement([[1, 0], [1, 0]], [0, 1]).center()
+        """
+        if not self.has_common_point:
+            return None
+        return self.face_at(flat_chart(self, range(len(self))).origin)
+
     def region_graph(self) -> nx.Graph[Face]:
         """Return the graph of regions: two are joined when they have a facet in common.
 
@@ -260,11 +276,22 @@ class Arrangement(HintsMixin, Planes):
         return counts.t_vector(self)
 
     def covectors(self) -> frozenset[tuple[int, ...]]:
-        """Return the covectors of the oriented matroid; see `counts.covectors`."""
+        """Return the covectors of the oriented matroid, as `counts.covectors` does.
+
+        Of affine hyperplanes it is that of the cone: each covector has a sign more, the last one,
+        of the hyperplane at infinity. So has all else of the oriented matroid. `sign_vectors` has
+        the faces of the affine hyperplanes themselves.
+
+        >>> lines = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
+        >>> {row[:-1] for row in lines.covectors() if row[-1] > 0} == {
+        ...     face.signs for face in lines.faces()
+        ... }
+        True
+        """
         return counts.covectors(self)
 
     def topes(self) -> frozenset[tuple[int, ...]]:
-        """Return the covectors of the regions; see `counts.topes`."""
+        """Return the covectors without zeros; see `covectors` and `counts.topes`."""
         return counts.topes(self)
 
     def circuits(self) -> frozenset[tuple[int, ...]]:
@@ -287,6 +314,21 @@ class Arrangement(HintsMixin, Planes):
         """
         identification: Identification = attached("Arrangement.identify")(self)
         return identification
+
+    def addition(self, normal: Iterable[Any], offset: Any = 0) -> Arrangement:
+        """Return the arrangement with one more hyperplane, the last; see `counts.addition`."""
+        return counts.addition(self, normal, offset)
+
+    def union(self, other: Planes) -> Arrangement:
+        """Return the hyperplanes of both, those of both once; see `counts.union`. Also ``A | B``.
+
+        >>> str((Arrangement([[1, 0]]) | Arrangement([[0, 1], [-1, 0]]))[1])
+        'y = 0'
+        """
+        return counts.union(self, other)
+
+    def __or__(self, other: object) -> Arrangement:
+        return counts.union(self, other) if isinstance(other, Planes) else NotImplemented
 
     def deletion(self, *planes: int) -> Arrangement:
         """Return the arrangement without the given hyperplanes; see `counts.deletion`."""

@@ -12,10 +12,11 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
+from typing import Any
 
 from arrangement.errors import InputError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import RationalVector, rational, shown
+from arrangement.numbers.exact import RationalVector, rational, shown, sum_text, to_text
 
 #: A line with one equality sign and at least one name.
 _EQUATION = re.compile(r"(?=.*[A-Za-z])[\w\s.+*/-]+=[\w\s.+*/-]+")
@@ -128,3 +129,13 @@ def _natural(name: str) -> Iterator[tuple[int, str]]:
     """Yield the parts of a name such that x2 comes before x10."""
     for digits, letters in re.findall(r"([0-9]+)|([^0-9]+)", name):
         yield (int(digits), "") if digits else (-1, letters)
+
+
+def equation_text(normal: Sequence[Any], offset: Any) -> str:
+    """Return the equation of a plane: in x, y, z, or in x1, x2, ... beyond R^3.
+
+    >>> equation_text([-1, 2], 3)
+    '-x + 2*y = 3'
+    """
+    names = "xyz" if len(normal) <= 3 else [f"x{k + 1}" for k in range(len(normal))]
+    return f"{sum_text(zip(normal, names, strict=False))} = {to_text(offset)}"

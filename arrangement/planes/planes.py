@@ -6,11 +6,11 @@ dimension (a line in R^2, a hyperplane in R^5).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain, combinations
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, NamedTuple, Self, overload
 
 from arrangement.errors import InputError
 from arrangement.numbers import budget
@@ -41,7 +41,7 @@ from arrangement.numbers.symbolic import (
     real_vector,
 )
 
-from .equation_text import planes_of_text
+from .equation_text import equation_text, planes_of_text
 
 if TYPE_CHECKING:
     import sympy
@@ -52,6 +52,19 @@ if TYPE_CHECKING:
 
 #: Bits of a number that takes longer than others.
 _LONG_BITS = 1000
+
+
+class Hyperplane(NamedTuple):
+    """A hyperplane ``normal . x = offset``, as `Planes` gives it when it is indexed or iterated."""
+
+    normal: RationalVector
+    offset: Fraction
+
+    def __str__(self) -> str:
+        return equation_text(self.normal, self.offset)
+
+    def __repr__(self) -> str:
+        return f"<Hyperplane: {self}>"
 
 
 class Planes:
@@ -200,6 +213,31 @@ class Planes:
     def __len__(self) -> int:
         return len(self._integer_planes)
 
+    def __iter__(self) -> Iterator[Hyperplane]:
+        return map(self.__getitem__, range(len(self)))
+
+    @overload
+    def __getitem__(self, index: int) -> Hyperplane: ...
+    @overload
+    def __getitem__(self, index: slice) -> Self: ...
+    def __getitem__(self, index: int | slice) -> Hyperplane | Self:
+        """Return a hyperplane by its number from 0, in the stored scaling; of a slice, planes.
+
+        >>> lines = Planes([[2, 0], [0, 1], [1, -1]], [2, 0, "1/2"])
+        >>> [str(line) for line in lines], lines[1:].integer_planes
+        (['x = 1', 'y = 0', '2*x - 2*y = 1'], ((0, 1, 0), (2, -2, 1)))
+        """
+        if isinstance(index, slice):
+            chosen = self._integer_planes[index]
+            return type(self)(
+                [plane[:-1] for plane in chosen],
+                [plane[-1] for plane in chosen],
+                dimension=self.dimension,
+                axes=self.axes,
+            )
+        *normal, offset = map(fraction, self._integer_planes[index])
+        return Hyperplane(tuple(normal), offset)
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Planes):
             return NotImplemented
@@ -264,6 +302,11 @@ class Planes:
     def rank(self) -> int:
         """The dimension of the span of the normals."""
         return rank([self._integer_planes[members[0]][:-1] for members in self.distinct])
+
+    @property
+    def is_essential(self) -> bool:
+        """Whether the normals span R^d: the rank is the dimension."""
+        return self.rank == self.dimension
 
     @cached_property
     def is_central(self) -> bool:

@@ -29,6 +29,46 @@ def test_covectors_are_sign_vectors_of_faces():
     assert BRAID.cocircuits() == {face.signs for face in BRAID.faces(1 + 3 - BRAID.rank)}
 
 
+def test_arrangement_is_a_sequence_of_hyperplanes():
+    assert [*map(str, LINES)] == ["x = 0", "y = 0", "x + y = 1"]
+    assert LINES[-1].normal == (1, 1)
+    assert LINES[-1].offset == 1
+    assert repr(LINES[0]) == "<Hyperplane: x = 0>"
+    assert LINES[1:] == Arrangement([[0, 1], [1, 1]], [0, 1])
+    assert LINES[:0] == Arrangement([], dimension=2)
+    with pytest.raises(IndexError):
+        LINES[3]
+
+
+def test_hyperplanes_are_added_and_united():
+    assert Arrangement([[1, 0], [0, 1]]).addition([1, 1], 1) == LINES
+    assert LINES[:2].union(LINES[1:]) == LINES[:2] | LINES[1:] == LINES
+    with pytest.raises(InputError, match="no union"):
+        LINES.union(BRAID)
+    with pytest.raises(TypeError):
+        LINES | 1
+
+
+@pytest.mark.parametrize(
+    ("planes", "point", "dimension"),
+    [
+        (BRAID, (0, 0, 0), 0),
+        (LINES, None, None),
+        (Arrangement([[1, 0, 0], [1, 1, 0]], [1, 2]), (1, 1, 0), 1),
+        (Arrangement([], dimension=2), (0, 0), 2),
+    ],
+)
+def test_center_is_the_face_on_all_hyperplanes(planes, point, dimension):
+    face = planes.center()
+    if point is None:
+        assert face is None
+    else:
+        assert face.witness == point
+        assert face.dimension == dimension
+        assert not any(planes.sign_vector(face.witness))
+    assert planes.is_essential == (planes.rank == planes.dimension)
+
+
 def test_operations_are_those_of_counts():
     assert LINES.deletion(0) == counts.deletion(LINES, [0])
     assert LINES.restriction(0, 1) == counts.restriction(LINES, [0, 1])

@@ -15,8 +15,8 @@ import re
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
 from arrangement.library.files.documents import rational_planes
-from arrangement.numbers.exact import shown, sum_text
-from arrangement.planes.equation_text import is_equation, planes_of_text
+from arrangement.numbers.exact import shown
+from arrangement.planes.equation_text import equation_text, is_equation, planes_of_text
 
 _REMARK = re.compile(r"#.*")
 _MATRIX = re.compile(r"(?=[^0-9]*[0-9])[-+0-9./eE,;|()\[\]\s]+")
@@ -45,14 +45,8 @@ def read_equations(text: str) -> Arrangement:
 
 def write_equations(arrangement: Arrangement) -> str:
     """Write an equation on each line."""
-    names = [f"x{k + 1}" for k in range(arrangement.dimension)]
-    if arrangement.dimension <= 3:
-        names = [*"xyz"][: arrangement.dimension]
-    lines = []
-    for *normal, offset in rational_planes(arrangement):
-        text = sum_text(zip(normal, names, strict=True))
-        lines.append(f"{'- ' * (text[0] == '-')}{text.removeprefix('-')} = {offset}\n")
-    return "".join(lines)
+    planes = rational_planes(arrangement)
+    return "".join(f"{equation_text(plane[:-1], plane[-1])}\n" for plane in planes)
 
 
 def recognises(text: str) -> bool:
