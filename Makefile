@@ -193,5 +193,5 @@ formal: $(VENV)/.stamp-test
 	@echo "$(BIN)/proved-checker"
 
 clean:
-	rm -rf $(VENV) build dist report proofs_check/formal/_build docs/_build docs/_generated .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) build dist report proofs_check/formal/_build docs/_build docs/_generated docs/api/names .hypothesis .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -19,6 +19,7 @@ version = release = arrangement.__version__
 
 extensions = [
     "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
     "sphinx.ext.mathjax",
     "sphinx.ext.napoleon",
     "sphinx.ext.viewcode",
@@ -27,10 +28,13 @@ extensions = [
     "handouts",
     "pagetools",
 ]
-exclude_patterns = ["_build", "_generated"]
+exclude_patterns = ["_build", "_generated", "templates"]
+templates_path = ["templates"]
 default_role = "code"
 highlight_language = "python"
 nitpicky = False
+# Quotes and dots, no dashes: options of commands stand in sentences.
+smartquotes_action = "qe"
 # What is made of the lessons, directives of these pages, and what figures share.
 sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parent / "figures")]
 # The bibliography is a list to cite from; a docstring may use a word that several classes have as

@@ -54,7 +54,7 @@ FILES = {
     "constraints.txt",
 }
 RUBBISH = re.compile(
-    r"(^|/)(__pycache__|_build|_generated|build|dist|report|counterexamples|\.(?!github|gitignore|zenodo)"
+    r"(^|/)(__pycache__|_build|_generated|names|build|dist|report|counterexamples|\.(?!github|gitignore|zenodo)"
     r"[^/]*)(/|$)|\.(pyc|sqlite|egg-info)$"
 )
 #: Programs of other packages, each in an environment of its own.

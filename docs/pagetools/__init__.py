@@ -1,8 +1,8 @@
 """Directives and transforms: help of commands, public names, thumbnails, dark pictures."""
 
-from . import command_help, dark_pictures, public_names, thumbnails
+from . import command_help, dark_pictures, module_names, thumbnails
 
 
 def setup(app):
-    for part in (command_help, dark_pictures, public_names, thumbnails):
+    for part in (command_help, dark_pictures, module_names, thumbnails):
         part.setup(app)

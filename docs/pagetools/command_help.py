@@ -1,5 +1,7 @@
-"""The directives command-help and old-names: what the parsers of the three programs say.
+"""The directives command-table, command-help and old-names: the parsers of the three programs.
 
+The argument of command-table is a program: shown is a table of its commands, with links to their
+pages in the folder commands.
 The argument of command-help is a program and a command, ``arrangement count``: shown is what it
 does, its exit codes, and its arguments and options, but for those of all commands.
 """
@@ -81,6 +83,20 @@ class CommandHelp(SphinxDirective):
         return made
 
 
+class CommandTable(SphinxDirective):
+    required_arguments = 1
+
+    def run(self):
+        (program,) = self.arguments
+        pages = {name: f"/commands/{program}-{name}" for name in commands_of(parser_of(program))}
+        lines = [".. list-table::", "   :widths: 18 82", "   :width: 100%", ""]
+        for name, command in commands_of(parser_of(program)).items():
+            about = command.description.partition("\n\n")[0]
+            lines += [f"   * - :doc:`{name} <{pages[name]}>`", f"     - {about}"]
+        lines += ["", ".. toctree::", "   :hidden:", "", *(f"   {page}" for page in pages.values())]
+        return self.parse_text_to_nodes("\n".join(lines))
+
+
 class OldNames(SphinxDirective):
     def run(self):
         rows = [("Program", "Old name", "Write")] + [
@@ -93,5 +109,6 @@ class OldNames(SphinxDirective):
 
 
 def setup(app):
+    app.add_directive("command-table", CommandTable)
     app.add_directive("command-help", CommandHelp)
     app.add_directive("old-names", OldNames)
