@@ -22,7 +22,6 @@ Describe a grasp
 Decide one wrench
     solve, solve_many    decide one wrench, or many on one grasp
     Verdict              the answer, with its proof: a Solution, all Equilibrium families
-    AssemblyVerdict      another name of the same
 
 Set of resisted wrenches
     ResistedSet          along a direction, in a plane, as polyhedra; margins; arrays of wrenches
@@ -52,6 +51,7 @@ from arrangement.console.plugins import attach, lazy_names
 
 #: Other words for the names, and earlier names, each with what to write here.
 _SYNONYMS = {
+    "AssemblyVerdict": "Verdict",
     "LiteralVerdict": "solve(grasp, wrench, as_printed=[...])",
     "Mode": "ContactModes",
     "Solver": "ResistedSet(grasp), with solve and solve_many",

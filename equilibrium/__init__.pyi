@@ -3,7 +3,7 @@ from .certificate.document import Certificate as Certificate
 from .certificate.report import Report as Report
 from .decide.many_grasps.check import CheckedGrasps as CheckedGrasps, check_grasps as check_grasps
 from .decide.solver import solve as solve, solve_many as solve_many
-from .decide.verdict import AssemblyVerdict as AssemblyVerdict, Verdict as Verdict
+from .decide.verdict import Verdict as Verdict
 from .grasps import inputs as inputs
 from .grasps.files import (
     read_certificate as read_certificate,

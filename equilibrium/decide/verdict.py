@@ -562,7 +562,3 @@ class Verdict(HintsMixin):
         """Return what a notebook shows: bodies, wrenches and the forces of an equilibrium."""
         text: str | None = attached("Verdict._repr_svg_")(self)
         return text
-
-
-#: The name of verdicts on assemblies before there was one class.
-AssemblyVerdict = Verdict

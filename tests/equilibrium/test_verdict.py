@@ -12,10 +12,10 @@ from hypothesis import given, strategies as st
 from arrangement.errors import InputError
 from equilibrium import (
     Assembly,
-    AssemblyVerdict,
     Contact,
     Grasp,
     GraspError,
+    Verdict,
     read_grasp,
     solve,
     solve_many,
@@ -86,7 +86,7 @@ def test_forces_are_a_table_with_heads_and_unit(capsys, tmp_path):
 def test_one_class_answers_for_a_grasp_and_for_bodies():
     grasp = solve(THREE, (0, 1, 0))
     bodies = solve(Assembly.of_grasp(THREE), {"object": (0, 1, 0)})
-    assert type(grasp) is type(bodies) is AssemblyVerdict
+    assert type(grasp) is type(bodies) is Verdict
     assert (grasp.forces, bodies.forces) == (grasp.solution.forces, bodies.solution.forces)
     assert (grasp.grasp, bodies.grasp) == (THREE, bodies.assembly)
     assert bodies.wrench == bodies.wrenches == {"object": grasp.wrench}
