@@ -389,10 +389,14 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_leaves.py",
         "tests/equilibrium/test_resistance.py",
     ): (
-        "equilibrium.core.continuation",
         "equilibrium.plane.search.motion_regions",
         "equilibrium.plane.search.units",
     ),
+    (
+        "tests/equilibrium/test_smooth_law.py",
+        "tests/equilibrium/test_leaves.py",
+        "tests/equilibrium/test_resistance.py",
+    ): ("equilibrium.core.continuation",),
     ("tests/equilibrium/test_many_grasps.py",): (
         "equilibrium.decide.many_grasps.arrays",
         "equilibrium.decide.many_grasps.check",

@@ -44,10 +44,12 @@ NARROW_SINE = 1e-4
 _WIDE_SECTOR_SIZE = 8
 #: Those of other sectors up to about this, over the sine: fine enough to lie inside.
 _SECTOR_SIZE = 64
+#: Identity matrices by their size.
+_UNITS = np.eye(0), np.eye(1), np.eye(2)
 #: Sectors whose unit vectors are remembered.
 _CACHED_SECTORS = 4096
 #: From this share of its limit on, smooth friction is that of a slip.
-_SLIP_SHARE = 0.9999
+SLIP_SHARE = 0.9999
 
 
 def lengths(rows: Floats) -> Floats:
@@ -111,9 +113,9 @@ class RoundCones:
         missed: Floats = np.hypot(*miss.T)
         return missed
 
-    def smooth(self, slip: Floats, eps: float) -> tuple[Floats, Floats]:
+    def smooth(self, slip: Floats, eps: Any) -> tuple[Floats, Floats]:
         """Return shares of friction limits (m, 2), made smooth, and minus how they change."""
-        return _smooth_slip(slip, eps)
+        return smooth_slip(slip, eps)
 
     def below(self, room: int, mu: Fraction, b: Sequence[int], state: State) -> bool:
         """Return whether ``room >= mu x . b`` for all unit vectors x that the state allows."""
@@ -237,13 +239,13 @@ class Pyramids:
         pairs = weights + np.roll(weights, -1, axis=1)
         corner, side = weights.argmax(axis=1), pairs.argmax(axis=1)
         normals = np.array(self.normals, dtype=float)
-        found = np.where((pairs.max(axis=1) > _SLIP_SHARE)[:, None], normals[side], 0.0)
+        found = np.where((pairs.max(axis=1) > SLIP_SHARE)[:, None], normals[side], 0.0)
         slips: Floats = np.where(
-            (weights.max(axis=1) > _SLIP_SHARE)[:, None], self._corners[corner], found
+            (weights.max(axis=1) > SLIP_SHARE)[:, None], self._corners[corner], found
         )
         return slips
 
-    def smooth(self, slip: Floats, eps: float) -> tuple[Floats, Floats]:
+    def smooth(self, slip: Floats, eps: Any) -> tuple[Floats, Floats]:
         """Return shares of friction limits (m, 2), made smooth, and minus how they change."""
         weights = self.weights(slip, eps)
         mean = weights @ self._corners
@@ -293,12 +295,12 @@ class LineCones(Pyramids):
     def directions(self, slip: Floats, eps: float) -> Floats:
         """Return the slips (m, 1) that the smooth friction shows: a sign, or none."""
         ratio, _ = self.smooth(slip, eps)
-        slips: Floats = np.where(np.abs(ratio) > _SLIP_SHARE, -np.sign(ratio), 0.0)
+        slips: Floats = np.where(np.abs(ratio) > SLIP_SHARE, -np.sign(ratio), 0.0)
         return slips
 
-    def smooth(self, slip: Floats, eps: float) -> tuple[Floats, Floats]:
+    def smooth(self, slip: Floats, eps: Any) -> tuple[Floats, Floats]:
         """Return shares of friction limits (m, 1), made smooth, and minus how they change."""
-        return _smooth_slip(slip, eps)
+        return smooth_slip(slip, eps)
 
     def slips(self, states: Node, i: int, slip: Floats) -> OpenSplit | None:
         """Return the split of a contact by its slip; None if that is decided."""
@@ -344,12 +346,15 @@ def _sine(sector: Sector) -> float:
     return float(u[0] * v[1] - u[1] * v[0]) if u @ v > 0 else 1.0
 
 
-def _smooth_slip(slip: Floats, eps: float) -> tuple[Floats, Floats]:
-    """Return ``-s / sqrt(|s|^2 + eps^2)`` for slips s (m, t), and minus how it changes."""
-    root = np.sqrt((slip * slip).sum(axis=1) + eps * eps)[:, None]
-    ratio = -slip / root
-    change = np.eye(slip.shape[1]) - ratio[:, :, None] * ratio[:, None, :]
-    return ratio, change / root[:, :, None]
+def smooth_slip(slip: Floats, eps: Any) -> tuple[Floats, Floats]:
+    """Return ``-s / sqrt(|s|^2 + eps^2)`` for slips s (..., m, t), and minus how it changes."""
+    squares = slip * slip
+    if slip.shape[-1] == 2:
+        squares = squares[..., :1] + squares[..., 1:]
+    root = np.sqrt(squares + eps * eps)
+    share = -slip / root
+    change = _UNITS[slip.shape[-1]] - share[..., None] * share[..., None, :]
+    return share, change / root[..., None]
 
 
 def _turned(direction: Floats, degrees: float, size: int) -> Direction:

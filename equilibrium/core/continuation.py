@@ -1,11 +1,12 @@
-"""A quick search for an equilibrium: smooth contacts, made sharper step by step.
+"""The law of contacts made smooth, and a quick search for an equilibrium by making it sharper.
 
-With the friction force ``-mu c_n s / sqrt(s^2 + eps^2)``, s = T . d, and a spring force that bends
-smoothly from 0 to ``q - k N . d``, balance
-is an equation in the three unknowns of the motion, whatever the number of contacts. Its solution
-is followed from eps = 1 (in units of the motion's typical size) down to 10^-8. What it ends at is
-a guess of contact states; the equilibrium is then solved for exactly, or there is none of these
-states. A failure proves nothing.
+The spring force ``q - k N . d`` bends smoothly to 0 where it would pull, and friction is a share of
+its limit that turns smoothly with the slip ``T . d``: ``-s / sqrt(|s|^2 + eps^2)``, or with
+pyramids a mean of their edges (`equilibrium.core.cones`). So balance is an equation in the n
+unknowns of the motion, whatever the number of contacts: 3 in the plane, 6 in space, so many a body
+in assemblies. Its solution is followed from eps = 1 (in units of the motion's typical size) down to
+10^-8. What it ends at is a guess of contact states; the equilibrium is then solved for exactly, or
+there is none of these states. A failure proves nothing.
 """
 
 from __future__ import annotations
@@ -14,13 +15,14 @@ import math
 from collections.abc import Callable, Iterator
 from functools import partial
 from statistics import median
-from typing import Any
+from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 
+from .cones import Cones
 from .contacts import FloatContacts, nearest
 
 _MAX_NEWTON_STEPS = 30
@@ -46,25 +48,123 @@ _MAX_DECOMPOSED = 6
 NEWTON_RESIDUAL = 1e-12
 
 
-class Continuation:
-    """The smoothed balance of one question.
+class ContactNumbers(Protocol):
+    """The numbers of m contacts in R^n with t tangents, of one question or of many.
 
     Attributes:
+        normal: (..., m, n); tangents: (..., m, t, n).
+        friction, stiffness, preload: (..., m).
+    """
+
+    normal: Floats
+    tangents: Floats
+    friction: Floats
+    stiffness: Floats
+    preload: Floats
+
+
+#: Slips (..., m, t) and eps to shares of friction limits, and minus how they change (..., m, t, t).
+Smooth: TypeAlias = Callable[[Floats, Any], tuple[Floats, Floats]]
+
+
+class SmoothLaw(NamedTuple):
+    """Forces and their balance at motions (..., n), of one question or of many at once.
+
+    Attributes:
+        smooth: friction, see `Cones.smooth`.
+        load: (..., n), as all wrenches weighed with numbers for their entries.
+        normal: N as a wrench, (..., m, n); pulls: friction times T, (..., m, t, n).
+        spring: stiffness times N, (..., m, n); tangents: T, (..., m, t, n).
+        preload: (..., m, 1).
+        hardness: stiffness, or 1 where that is 0, (..., m, 1).
+    """
+
+    smooth: Smooth
+    load: Floats
+    normal: Floats
+    pulls: Floats
+    spring: Floats
+    tangents: Floats
+    preload: Floats
+    hardness: Floats
+
+    @classmethod
+    def of(
+        cls, contacts: ContactNumbers, load: Floats, smooth: Smooth, weights: Any = 1.0
+    ) -> SmoothLaw:
+        """Return the law of contacts under a load."""
+        c, stiffness = contacts, contacts.stiffness[..., None]
+        return cls(
+            smooth,
+            load * weights,
+            c.normal * weights,
+            c.friction[..., None, None] * c.tangents * weights,
+            stiffness * c.normal,
+            c.tangents,
+            c.preload[..., None],
+            np.where(stiffness > 0, stiffness, 1.0),
+        )
+
+    def take(self, rows: Any) -> SmoothLaw:
+        """Return the law of some of the questions."""
+        return SmoothLaw(self.smooth, *(numbers[rows] for numbers in self[1:]))
+
+    def forces(self, motion: Floats, eps: Any) -> tuple[Floats, Floats, Floats]:
+        """Return forces of springs (..., m, 1), and what `smooth` returns.
+
+        Args:
+            eps: a number; of many questions (..., 1, 1).
+        """
+        column = motion[..., None]
+        slip = (_flat(self.tangents) @ column).reshape(self.tangents.shape[:-1])
+        return self.preload - self.spring @ column, *self.smooth(slip, eps)
+
+    def balance(self, motion: Floats, eps: Any) -> tuple[Floats, Floats]:
+        """Return the sum of all wrenches (..., n), and its derivative (..., n, n)."""
+        force, share, change = self.forces(motion, eps)
+        soft = eps * self.hardness
+        root = np.sqrt(force * force + soft * soft)
+        normal, touching = (force + root) / 2, (1 + force / root) / 2
+        arms = (self.normal + (share[..., None, :] @ self.pulls)[..., 0, :]).swapaxes(-1, -2)
+        jacobian = arms @ (touching * self.spring)
+        turned = (normal[..., None] * change) @ self.tangents
+        jacobian += _flat(self.pulls).swapaxes(-1, -2) @ _flat(turned)
+        return self.load + (arms @ normal)[..., 0], -jacobian
+
+
+def _flat(rows: Floats) -> Floats:
+    """Return the rows of all tangents (..., m, t, n) below each other, (..., m t, n)."""
+    *rest, m, t, n = rows.shape
+    return rows.reshape(*rest, m * t, n)
+
+
+class Continuation:
+    """The path of one question's equilibrium as its contacts get sharper.
+
+    Attributes:
+        law: the smoothed law.
         scale: the typical size of the coordinates of a motion; it may be off by a lot.
-        arms: what the entries of the balance are weighed with: in space torques count as forces
-            at a typical distance.
+        arms: what the entries of the balance are weighed with: torques count as forces at a typical
+            distance.
         reached: the least residual of sharp contacts so far.
     """
 
     reached = math.inf
 
-    def __init__(self, contacts: FloatContacts, wrench: RationalVector) -> None:
-        self.contacts = contacts
+    def __init__(self, contacts: FloatContacts, wrench: RationalVector, cones: Cones) -> None:
         self.load = np.array([nearest(w) for w in wrench])
         self.scale = motion_scale(contacts, self.load)
-        self.arms: Any = 1.0 if len(self.load) == 3 else self.scale / self.scale[0]
+        self.arms = self.scale / self.scale[0]
+        self.law = SmoothLaw.of(contacts, self.load, cones.smooth, self.arms)
         most = np.abs(self.load * self.arms).max()
         self.size = float(most + np.abs(contacts.preload).max(initial=0.0))
+
+    def starts(self, count: int) -> Iterator[Floats]:
+        """Yield motions to start from: none, then small random ones, the same on every run."""
+        yield np.zeros(len(self.scale))
+        random = np.random.default_rng(1)
+        for _ in range(count):
+            yield self.scale * random.normal(size=len(self.scale))
 
     def path(self, motion: Floats, first: float = 1.0) -> Iterator[tuple[Floats, float]]:
         """Yield motions along a path, from a sharpness on; the steps adapt."""
@@ -87,7 +187,7 @@ class Continuation:
 
     def _newton(self, motion: Floats, eps: float) -> tuple[Floats, float]:
         """Return a motion of less residual: Newton steps, damped where they fail."""
-        value, jacobian = self._balance(motion, eps)
+        value, jacobian = self.law.balance(motion, eps)
         residual, damping = _length(value), 0.0
         step_of: Callable[[Floats, float], Floats] | None = None
         for _ in range(_MAX_NEWTON_STEPS):
@@ -96,7 +196,7 @@ class Continuation:
             # Where a step fails only the damping changes.
             step_of = step_of or _steps(jacobian * self.scale)
             step = self.scale * step_of(value, damping)
-            tried_value, tried_jacobian = self._balance(motion + step, eps)
+            tried_value, tried_jacobian = self.law.balance(motion + step, eps)
             tried = _length(tried_value)
             if tried < residual:
                 stalled = tried > 0.999 * residual
@@ -110,27 +210,6 @@ class Continuation:
             else:
                 damping = max(30 * damping, 1e-10)
         return motion, residual
-
-    def _balance(self, motion: Floats, eps: float) -> tuple[Floats, Floats]:
-        """Return the sum of all wrenches, and its derivative."""
-        c = self.contacts
-        force, touching = self._pressed(motion, eps)
-        slip = c.tangent @ motion
-        root = np.sqrt(slip * slip + eps * eps)
-        ratio = -slip / root
-        arm = c.normal + ratio[:, None] * c.pull
-        turn = (-force * eps * eps / root**3)[:, None] * c.tangent
-        value = self.load + force @ arm
-        jacobian = (arm * touching[:, None]).T @ c.spring[:, 1:] + c.pull.T @ turn
-        return value, jacobian
-
-    def _pressed(self, motion: Floats, eps: float) -> tuple[Floats, Floats]:
-        """Return smooth normal forces, and their derivatives by those of the springs."""
-        c = self.contacts
-        force = c.spring[:, 0] + c.spring[:, 1:] @ motion
-        soft = eps * np.where(c.stiffness > 0, c.stiffness, 1.0)
-        smooth = np.sqrt(force * force + soft * soft)
-        return (force + smooth) / 2, (1 + force / smooth) / 2
 
 
 def _length(value: Floats) -> float:

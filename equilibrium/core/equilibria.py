@@ -23,10 +23,11 @@ from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
 
 from .cones import Node, Pyramids, lengths
+from .continuation import Continuation
 from .enclosures import enclosures
 from .exact_parts import ExactParts, PyramidParts
 from .relaxation import Point, Relaxation
-from .states import SpatialContinuation, StateBalance, States, rubbing_states, smooth_states
+from .states import StateBalance, States, rubbing_states
 from .tresca import tresca_point
 
 
@@ -80,13 +81,13 @@ class EquilibriumSearch:
         contacts, cones = relaxation.contacts, relaxation.cones
         self.relaxation, self.contacts, self.wrench = relaxation, contacts, wrench
         self.accept, self.effort = accept, effort
-        self.smooth = SpatialContinuation(contacts, wrench, cones)
+        self.smooth = relaxation.smooth
         #: The last as given; before it one of smaller frictions, if some are huge.
-        self._paths = [self.smooth]
+        self._paths = [(contacts, self.smooth)]
         if contacts.friction.max(initial=0.0) > SETTINGS.huge_friction:
             less = copy.copy(contacts)
             less.friction = np.minimum(contacts.friction, SETTINGS.huge_friction)
-            self._paths.insert(0, SpatialContinuation(less, wrench, cones))
+            self._paths.insert(0, (less, Continuation(less, wrench, cones)))
         self.exact: ExactParts | PyramidParts
         if isinstance(cones, Pyramids):
             self.exact = PyramidParts(contacts, wrench, effort, cones, max_displacement)
@@ -99,13 +100,14 @@ class EquilibriumSearch:
 
     def near_motion(self, motion: Floats, sharpness: float) -> Solution | None:
         """Return an equilibrium that the smoothed balance leads to from a motion."""
-        for path in self._paths:
+        for contacts, path in self._paths:
             for end, eps in path.path(motion, sharpness):
                 self.effort.check(SETTINGS.path_steps)
                 if isinstance(self.exact, PyramidParts):
                     solution = self._at_smooth_pyramids(self.exact, end, eps)
                 else:
-                    states = smooth_states(path.contacts, end, eps)
+                    force, share, _ = path.law.forces(end, eps)
+                    states = States(contacts, force[:, 0], np.nan_to_num(share))
                     solution = self._with_states(end, states)
                     solution = solution or self._rubbing(end, states.forces, states.slipping)
                 if solution is not None:

@@ -30,7 +30,7 @@ from arrangement.numbers.float_filter import Floats
 from equilibrium.core.contacts import FloatContacts, nearest
 
 from .cones import Cones, State, lengths
-from .states import SpatialContinuation
+from .continuation import Continuation
 
 with extra("space"):
     import clarabel
@@ -201,6 +201,7 @@ class Relaxation:
 
     Attributes:
         scale: of the coordinates of a motion.
+        smooth: the smoothed balance.
     """
 
     @np.errstate(all="ignore")  # what is beyond floats is infinite here, and proves nothing
@@ -211,13 +212,14 @@ class Relaxation:
         cones: Cones,
         max_displacement: Fraction | None = None,
     ) -> None:
-        c, search = contacts, SpatialContinuation(contacts, wrench, cones)
+        c, smooth = contacts, Continuation(contacts, wrench, cones)
         self.contacts, self.m, self.cones = c, len(c.rows), cones
         self.n, self.frame = c.rows.n, 1 + c.rows.tangents
         self.arms = c.arms(1 / c.length)
-        self.force, self.step = search.size or 1.0, float(search.scale[0])
+        self.smooth = smooth
+        self.force, self.step = smooth.size or 1.0, float(smooth.scale[0])
         self.scale = self.step * self.arms
-        self.load = search.load * self.arms / self.force
+        self.load = smooth.load * self.arms / self.force
         self.normal, self.tangents = c.normal * self.arms, c.tangents * self.arms
         self.stiffness = c.stiffness * self.step / self.force
         self.preload, self.friction = c.preload / self.force, c.friction

@@ -1,15 +1,9 @@
-"""Smoothed balance in space, the states of contacts, and what balance with them asks for.
-
-As in the plane (`equilibrium.core.continuation`), with the friction force
-``-mu c_n s / sqrt(|s|^2 + eps^2)`` in the tangent plane, or with pyramids a mean of their edges, of
-the weights ``exp(e . s / eps)``: balance is an equation in the unknowns of the motion, whatever the
-number of contacts. Contacts are made sharper step by step, and states read off at the end.
-"""
+"""The states of contacts in space at a motion in floats, and what balance with them asks for."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -17,10 +11,8 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
+from equilibrium.core.cones import SLIP_SHARE
 from equilibrium.core.contacts import FloatContacts, nearest
-from equilibrium.core.continuation import Continuation
-
-from .cones import Cones
 
 #: Shares of the friction limit are multiples of one over this.
 _SHARE_DENOMINATOR = 2**14
@@ -28,37 +20,8 @@ _SHARE_DENOMINATOR = 2**14
 _MAX_TANGENT_DENOMINATOR = 64
 #: How far such a tangent may be from that of the slip.
 _TANGENT_ERROR = 1e-6
-#: From this share of its limit on, friction may be that of a slip.
-_SLIP_SHARE = 0.9999
 #: Beside others, forces below this are within the errors of floats.
 _FORCE_TOLERANCE = 1e-6
-
-
-class SpatialContinuation(Continuation):
-    """The smoothed balance of one question in space."""
-
-    def __init__(self, contacts: FloatContacts, wrench: RationalVector, cones: Cones) -> None:
-        super().__init__(contacts, wrench)
-        self.cones = cones
-
-    def _balance(self, motion: Floats, eps: float) -> tuple[Floats, Floats]:
-        """Return the sum of all wrenches, in units of force, and its derivative."""
-        c = self.contacts
-        force, touching = self._pressed(motion, eps)
-        ratio, change = self.cones.smooth(c.tangents @ motion, eps)
-        arm = c.normal + np.einsum("mi,mij->mj", ratio * c.friction[:, None], c.tangents)
-        turned = change @ c.tangents
-        value = self.load + force @ arm
-        jacobian = (arm * touching[:, None]).T @ c.spring[:, 1:]
-        jacobian += np.einsum("m,mij,mik->jk", -c.friction * force, c.tangents, turned)
-        return value * self.arms, jacobian * self.arms[:, None]
-
-    def starts(self, count: int) -> Iterator[Floats]:
-        """Yield motions to start from: none, then small random ones, the same on every run."""
-        yield np.zeros(len(self.scale))
-        random = np.random.default_rng(1)
-        for _ in range(count):
-            yield self.scale * random.normal(size=len(self.scale))
 
 
 class States:
@@ -83,7 +46,7 @@ class States:
         self.ratio = ratio
         size = np.linalg.norm(ratio, axis=1)
         self.slipping = [
-            t and bool(x > _SLIP_SHARE) for t, x in zip(self.touching, size, strict=True)
+            t and bool(x > SLIP_SHARE) for t, x in zip(self.touching, size, strict=True)
         ]
         self.shares: list[RationalVector | None] = []
         for (x, y), slips in zip(ratio, self.slipping, strict=True):
@@ -112,14 +75,6 @@ def rational_direction(
         return None
     cosine, sine = (1 - u * u) / (1 + u * u), 2 * u / (1 + u * u)
     return (cosine if x > 0 else -cosine, sine if y > 0 else -sine)
-
-
-def smooth_states(contacts: FloatContacts, motion: Floats, eps: float) -> States:
-    """Return the states of contacts at a motion of the smoothed balance."""
-    force = contacts.spring[:, 0] + contacts.spring[:, 1:] @ motion
-    slip = contacts.tangents @ motion
-    root = np.sqrt((slip * slip).sum(axis=1) + eps * eps)
-    return States(contacts, force, np.nan_to_num(-slip / root[:, None]))
 
 
 def rubbing_states(

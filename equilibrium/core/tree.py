@@ -18,6 +18,7 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from equilibrium.core.contacts import FloatContacts, nearest
+from equilibrium.core.continuation import SHARPNESS_NEAR
 from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Open, Outcome, Solution, Tree
 
@@ -52,8 +53,6 @@ class TreeSettings:
     min_violation_split: float = 1e-9
     #: Sectors with a smaller sine of their angle are split last: more is learnt of wide ones.
     thin_sector_sine: float = 0.3
-    #: Sharpness of contacts where a search starts near an equilibrium.
-    sharpness_near: float = 1e-3
     #: With more coordinates of motions, of several bodies, Tresca friction comes first.
     largest_grasp: int = 6
     #: An equilibrium of another load is near if the loads differ by this share of all forces.
@@ -183,7 +182,7 @@ class SpatialSearch:
         motion = self.memory.near(smooth.load, smooth.arms, distance)
         if motion is None:
             return None
-        return self.equilibria.near_motion(motion, SETTINGS.sharpness_near)
+        return self.equilibria.near_motion(motion, SHARPNESS_NEAR)
 
     def _near_fixed_limits(self) -> Solution | None:
         """Return an equilibrium with the states at a fixed point of Tresca friction, or nearly."""
@@ -348,7 +347,7 @@ class SpatialSearch:
         if near is None and (is_lawful or self.is_impatient):
             self.idle, self.patience = 0, self.patience * (1 if is_lawful else 2)
             motion = point.motion * self.relaxation.scale
-            near = self.equilibria.near_motion(motion, SETTINGS.sharpness_near)
+            near = self.equilibria.near_motion(motion, SHARPNESS_NEAR)
         if near is not None or is_lawful:
             return near
         return self.splits.of_worst_contact(states, violations, point)

@@ -11,13 +11,13 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 import numpy as np
-import numpy.typing as npt
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan, rank
-from equilibrium.core.contacts import FloatContacts, IntegerContacts, product
-from equilibrium.core.continuation import SHARPNESS_NEAR, Continuation
+from equilibrium.core.cones import SLIP_SHARE, LineCones
+from equilibrium.core.contacts import IntegerContacts, product
+from equilibrium.core.continuation import SHARPNESS_NEAR, Continuation, SmoothLaw
 from equilibrium.model.displacement import displacement
 from equilibrium.model.solution import Solution
 
@@ -49,14 +49,13 @@ class Guess:
     weights: tuple[float, ...] | float = field(default=1.0, compare=False)
 
     @classmethod
-    def read(
-        cls, motion: Floats, force: Floats, ratio: Floats, slips: npt.NDArray[np.bool_]
-    ) -> Guess:
-        """Return the guess of floats: motion, spring force, share of the friction limit, slip."""
+    def near(cls, law: SmoothLaw, motion: Floats, eps: float) -> Guess:
+        """Return the likely contact states near a motion of the smooth balance."""
+        force, share = (numbers[:, 0] for numbers in law.forces(motion, eps)[:2])
         touching = force > 0
-        sticking = touching & ~slips
+        sticking = touching & ~(np.abs(share) > SLIP_SHARE)
         shares = np.where(
-            sticking, np.rint(ratio * _SHARE_DENOMINATOR), np.sign(ratio) * _SHARE_DENOMINATOR
+            sticking, np.rint(share * _SHARE_DENOMINATOR), np.sign(share) * _SHARE_DENOMINATOR
         )
         return cls(
             tuple(touching.tolist()),
@@ -65,14 +64,6 @@ class Guess:
             tuple(round(x * _MOTION_DENOMINATOR) for x in np.nan_to_num(motion).tolist()),
             tuple(np.clip(np.nan_to_num(force / force.max(initial=0)), _MIN_WEIGHT, 1).tolist()),
         )
-
-    @classmethod
-    def near(cls, contacts: FloatContacts, motion: Floats, eps: float) -> Guess:
-        """Return the likely contact states near a motion of the smooth balance."""
-        force = contacts.spring[:, 0] + contacts.spring[:, 1:] @ motion
-        slip = contacts.tangent @ motion
-        ratio = -slip / np.sqrt(slip * slip + eps * eps)
-        return cls.read(motion, force, ratio, np.abs(ratio) > 0.9999)
 
 
 def find_equilibrium(
@@ -83,12 +74,12 @@ def find_equilibrium(
     Args:
         start: a motion that may be near one; the path then begins with rather sharp contacts.
     """
-    search = Continuation(contacts.floats, wrench)
+    search = Continuation(contacts.floats, wrench, LineCones())
     path = search.path(np.zeros(3)) if start is None else search.path(start, SHARPNESS_NEAR)
     tried: set[Guess] = set()
     with np.errstate(all="ignore"):
         for motion, eps in path:
-            guess = Guess.near(contacts.floats, motion, eps)
+            guess = Guess.near(search.law, motion, eps)
             if guess not in tried:
                 tried.add(guess)
                 found = exact_equilibrium(contacts, wrench, guess)

@@ -1,0 +1,88 @@
+"""The smoothed law: its derivative, many questions at once, and what it tends to."""
+
+import numpy as np
+import pytest
+
+from equilibrium.core.cones import Cones, LineCones, Pyramids, RoundCones
+from equilibrium.core.contacts import FloatContacts
+from equilibrium.core.continuation import SmoothLaw
+from equilibrium.grasps.inputs.random import random_grasp
+from equilibrium.model.assembly import Assembly
+from equilibrium.model.contact import pyramid_edges
+from equilibrium.model.rows import ContactRows
+
+from .random_assemblies import random_question
+
+
+def rows(kind: str, seed: int) -> ContactRows:
+    if kind == "assembly":
+        entry, _ = random_question(seed, 6)
+        return Assembly.from_dict(entry).rows
+    return ContactRows.of_grasp(random_grasp(5, seed, dimension=2 if kind == "plane" else 3))
+
+
+KINDS = [
+    ("plane", LineCones()),
+    ("assembly", LineCones()),
+    ("space", RoundCones()),
+    ("space", Pyramids(pyramid_edges(8))),
+]
+
+
+def law_of(kind: str, cones: Cones, seed: int) -> tuple[SmoothLaw, FloatContacts, np.ndarray]:
+    contacts, source = FloatContacts(rows(kind, seed)), np.random.default_rng(seed)
+    load, motion = source.normal(size=(2, contacts.rows.n))
+    weights = source.uniform(0.5, 2, size=contacts.rows.n)
+    return SmoothLaw.of(contacts, load, cones.smooth, weights), contacts, motion
+
+
+@pytest.mark.parametrize(("kind", "cones"), KINDS)
+def test_derivative_of_the_balance_equals_differences(kind, cones):
+    for seed in range(20):
+        law, _, motion = law_of(kind, cones, seed)
+        for eps in (1.0, 0.1):
+            _, jacobian = law.balance(motion, eps)
+            steps = 1e-6 * np.eye(len(motion))
+            ends = [
+                law.balance(motion + s, eps)[0] - law.balance(motion - s, eps)[0] for s in steps
+            ]
+            assert pytest.approx(jacobian, rel=1e-5, abs=1e-5) == np.array(ends).T / 2e-6
+
+
+@pytest.mark.parametrize(("kind", "cones"), [KINDS[0], KINDS[2]])
+def test_many_questions_at_once_equal_each_alone(kind, cones):
+    singles = [law_of(kind, cones, seed) for seed in range(12)]
+    laws, motions = [law for law, _, _ in singles], np.array([motion for *_, motion in singles])
+    widths = np.geomspace(1.0, 1e-6, len(laws))
+    together = SmoothLaw(
+        laws[0].smooth, *map(np.array, zip(*(law[1:] for law in laws), strict=True))
+    )
+    kept = np.arange(0, len(laws), 2)
+    many = together.take(kept).balance(motions[kept], widths[kept, None, None])
+    for k, value, jacobian in zip(kept, *many, strict=True):
+        alone = laws[k].balance(motions[k], widths[k])
+        assert value == pytest.approx(alone[0], rel=1e-12, abs=1e-12)
+        assert jacobian == pytest.approx(alone[1], rel=1e-12, abs=1e-12 / widths[k])
+
+
+@pytest.mark.parametrize(("kind", "cones"), KINDS)
+def test_sharp_contacts_obey_the_law(kind, cones):
+    """Springs do not pull, friction is at its limit and does most work against the slip."""
+    for seed in range(20):
+        law, c, motion = law_of(kind, cones, seed)
+        pressed = np.maximum(0.0, c.preload - c.stiffness * (c.normal @ motion))
+        slips = c.tangents @ motion
+        work = -pressed * c.friction * cones.support(slips)
+        force, share, _ = law.forces(motion, 1e-9)
+        assert np.maximum(0.0, force[:, 0]) == pytest.approx(pressed)
+        rubbed = (c.friction * pressed)[:, None] * share
+        assert (rubbed * slips).sum(axis=1) == pytest.approx(work, abs=1e-6)
+        friction = np.einsum("mt,mtn->n", rubbed, c.tangents)
+        value, _ = law.balance(motion, 1e-9)
+        unweighted = SmoothLaw.of(c, np.zeros(c.rows.n), cones.smooth).balance(motion, 1e-9)[0]
+        assert unweighted == pytest.approx(pressed @ c.normal + friction, abs=1e-6)
+        # Weights, and the load, are those of `law_of`.
+        source = np.random.default_rng(seed)
+        load, _ = source.normal(size=(2, c.rows.n))
+        weights = source.uniform(0.5, 2, size=c.rows.n)
+        assert value == pytest.approx(weights * (load + unweighted))
