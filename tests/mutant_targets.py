@@ -358,6 +358,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_assembly_magnitudes.py",
         "tests/equilibrium/test_assemblies.py::TestEquilibria",
     ): (
+        "equilibrium.core.contact_law",
         "equilibrium.core.contact_program",
         "equilibrium.decide.assemblies.magnitudes",
         "proofs_check.routes.bodies",

@@ -20,7 +20,8 @@ from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational, shown, simplest_between
-from equilibrium.core.contact_program import ContactProgram, LinearQuestion
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.decide.assemblies.magnitudes import Survivors, surviving_states
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.assembly import Assembly, Wrenches
@@ -193,9 +194,9 @@ class _OfGrasp(_Search):
     ) -> None:
         super().__init__(wrench, width, chosen)
         self.grasp, self.max_displacement = solver.grasp, solver.max_displacement
-        rows, still = ContactRows.of_grasp(self.grasp), (Fraction(0),) * len(wrench)
+        rows = ContactRows.of_grasp(self.grasp)
         bound, places = self.max_displacement, self.grasp.points_of(chosen)
-        self.question = LinearQuestion(rows, wrench, still, max_displacement=bound, chosen=places)
+        self.question = LinearQuestion(rows, wrench, max_displacement=bound, chosen=places)
 
     def possible(
         self, states: list[States] | None, low: Fraction, high: Fraction | None

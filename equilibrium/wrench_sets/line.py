@@ -22,7 +22,8 @@ from arrangement.numbers.linear.intervals import (
     texts,
     union,
 )
-from equilibrium.core.contact_program import ContactProgram, LinearQuestion
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contact_rows import sum_row
 from equilibrium.decide.nearby import DEPENDS
 from equilibrium.decide.robustness import MAX_ROUNDINGS, met_within_error, others

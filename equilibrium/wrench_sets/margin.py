@@ -23,7 +23,8 @@ from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.intervals import Interval, common, holds, union
-from equilibrium.core.contact_program import ContactProgram, LinearQuestion
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contact_rows import negated
 from equilibrium.decide.assemblies.ends import ends_of
 from equilibrium.decide.solver import Solver, prepare

@@ -19,8 +19,9 @@ from equilibrium import (
     solve,
 )
 from equilibrium.cli import main
-from equilibrium.core import contact_program
-from equilibrium.core.contact_program import ContactProgram, LinearQuestion
+from equilibrium.core import contact_law
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.decide.assemblies import magnitudes
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.textbook import TEXTBOOK, stack, wedge
@@ -118,7 +119,7 @@ class TestContactProgram:
     def test_multiples_of_expressions_are_added(self):
         terms = {0: Fraction(1)}
         for factor, found in ((0, {0: 1}), (1, {0: 3, 1: 3}), (2, {0: 7, 1: 9})):
-            contact_program._add(terms, {0: Fraction(2), 1: Fraction(3), 2: Fraction(0)}, factor)
+            contact_law.add(terms, {0: Fraction(2), 1: Fraction(3), 2: Fraction(0)}, factor)
             assert terms == found
 
 

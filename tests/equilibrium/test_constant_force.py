@@ -9,7 +9,8 @@ import pytest
 from equilibrium import Assembly, BodyContact, Contact, Grasp, ResistedSet, solve
 from equilibrium.certificate.checker import check
 from equilibrium.cli.program import main
-from equilibrium.core.contact_program import ContactProgram, LinearQuestion
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.grasps.inputs.csv_file import parse_csv
 
 HEADER = "x,y,nx,ny,mu,q,stiffness\n"

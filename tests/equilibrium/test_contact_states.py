@@ -9,7 +9,8 @@ from hypothesis import assume, given, strategies as st
 
 from arrangement.numbers.linear.programs import Infeasible, Optimal, feasible_point, minimize
 from equilibrium import Contact, Grasp, read_grasp, solve
-from equilibrium.core.contact_program import ContactProgram, LinearQuestion
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.decide.state_choices import StateChoices
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.rows import ContactRows

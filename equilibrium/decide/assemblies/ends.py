@@ -21,7 +21,8 @@ from arrangement.console.number_form import JsonMixin
 from arrangement.numbers import budget
 from arrangement.numbers.exact import dot
 from arrangement.numbers.linear.intervals import Interval
-from equilibrium.core.contact_program import ContactProgram, LinearQuestion
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.model.assembly import SIZE, Assembly
 from equilibrium.model.contact import Contact
 from equilibrium.model.effort import Effort

@@ -26,7 +26,8 @@ from arrangement.numbers.linear.intervals import (
     union,
     where_positive,
 )
-from equilibrium.core.contact_program import ContactProgram, LinearQuestion, Node
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram, Node
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.effort import STEPS, Effort
 from equilibrium.model.errors import UndecidedError

@@ -8,10 +8,9 @@ friction cones balance the wrenches.
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from arrangement.numbers.exact import RationalVector
-from equilibrium.core.contact_program import ContactProgram, LinearQuestion
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.model.assembly import Assembly, Wrenches
 
 
@@ -29,6 +28,6 @@ def rigid_forces(assembly: Assembly, wrenches: Wrenches) -> tuple[RationalVector
     ['1', '1']
     """
     load = tuple(x for name in assembly.names for x in wrenches[name])
-    question = LinearQuestion(assembly.rows, load, (Fraction(0),) * len(load))
+    question = LinearQuestion(assembly.rows, load)
     solution = ContactProgram(question, ("loose",) * len(assembly.contacts)).solution()
     return None if solution is None else solution.forces

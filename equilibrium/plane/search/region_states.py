@@ -17,7 +17,8 @@ import numpy as np
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.core.contact_program import ContactProgram, LinearQuestion, Node as States
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram, Node as States
 from equilibrium.core.contacts import IntegerContacts, product
 from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
@@ -79,7 +80,6 @@ class StateSplits:
         self.question = LinearQuestion(
             replace(rows, contacts=tuple(rows[i] for i in self.open)),
             wrench,
-            (Fraction(0),) * 3,
             max_displacement=contacts.max_displacement,
             region=tuple(tuple(map(Fraction, (*row[1:], row[0]))) for row in weights),
             background=tuple((*row[1:], row[0]) for row in given.tolist()),

@@ -1,0 +1,346 @@
+"""The law of a contact, by its state, as exact linear conditions: once for every solver.
+
+Unknowns are the motion, forces at contacts whose state leaves them open, and a magnitude t: the
+load is ``w + t w'``, and each preload ``q + t q'``. The law of a contact, by its state:
+
+* loose: a force in the friction cone, without a spring;
+* undecided: ``c_n >= q - k N . d``, in the cone;
+* detached: no force, ``q - k N . d <= 0``;
+* attached: ``c_n = q - k N . d``, in the cone;
+* stick: attached, and ``T . d = 0``;
+* slip+, slip-: attached, T . d >= 0 or <= 0, and the friction is the opposite end of the cone.
+
+Friction has one tangent or two. With two, or with cones that are no interval, a state says itself
+which conditions slip and friction obey, see `ContactState`.
+
+Conditions are written with symbols, the spring ``q - k N . d``, the slip ``T . d`` and the
+displacements of each contact: what Farkas' multipliers leave of a symbol is the multiplier of a
+leaf. The checker of certificates has a law of its own.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, NamedTuple, TypeAlias
+
+from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.linear.intervals import Interval
+from equilibrium.model.rows import ContactRows
+
+#: Whether a combination of numbers is 0, or at least 0; and its factors.
+Side: TypeAlias = tuple[bool, Sequence[Any]]
+#: A linear expression: coefficients by columns of unknowns, -1 for the constant, and symbols.
+Terms: TypeAlias = dict[Any, Any]
+ONE = 1
+_SIGNS = {"slip+": 1, "slip-": -1}
+
+
+class ContactState(NamedTuple):
+    """What a contact does, in conditions.
+
+    Attributes:
+        spring: "loose", "undecided", "detached" or "attached".
+        slip: conditions on the slip along each tangent.
+        friction: conditions on the normal force and the friction along each tangent.
+        share: of the friction limit along each tangent, in place of unknown friction.
+    """
+
+    spring: str
+    slip: tuple[Side, ...] = ()
+    friction: tuple[Side, ...] = ()
+    share: Sequence[Any] | None = None
+
+    @classmethod
+    def of(cls, name: str, tangents: int, friction: tuple[Side, ...] = ()) -> ContactState:
+        """Return the state of a name that is about all slips, with conditions on friction."""
+        if name == "detached":
+            return cls(name)
+        units = [tuple(int(j == k) for k in range(tangents)) for j in range(tangents)]
+        still = tuple((True, unit) for unit in units) if name == "stick" else ()
+        return cls(name if name in ("loose", "undecided") else "attached", still, friction)
+
+
+#: A state by its name, or in conditions.
+State: TypeAlias = "str | ContactState"
+
+
+class Condition:
+    """An expression that is 0, or at least 0; and `unit` times it in integers, without symbols."""
+
+    def __init__(self, question: LinearQuestion, terms: Terms) -> None:
+        self._question, self.terms = question, terms
+
+    @cached_property
+    def row(self) -> dict[Any, int]:
+        """The integers by columns and unknown forces."""
+        return self._whole[0]
+
+    @property
+    def unit(self) -> int:
+        """What the integers are divided by."""
+        return self._whole[1]
+
+    @cached_property
+    def _whole(self) -> tuple[dict[Any, int], int]:
+        found = self._question.expanded(self.terms)
+        unit = math.lcm(*(int(x.denominator) for x in found.values()))
+        row = {j: int(x.numerator) * (unit // int(x.denominator)) for j, x in found.items()}
+        return row, unit
+
+
+class ContactConditions(NamedTuple):
+    """The law of one contact in one state; unknown forces are symbols, too.
+
+    Attributes:
+        forces: the normal force, and friction along each tangent.
+        unknowns: those forces that are no expressions in the motion.
+        wrench: of the forces, an expression for each coordinate.
+    """
+
+    forces: Sequence[Terms]
+    unknowns: Sequence[Any]
+    least: Sequence[Condition]
+    equal: Sequence[Condition]
+    wrench: Sequence[Terms]
+
+
+@dataclass(frozen=True)
+class LinearQuestion:
+    """What a program is about; all that changes with the magnitude t has its slope beside it.
+
+    Attributes:
+        rows: the contacts.
+        load, load_slope: the wrench at t = 0, and what each unit of t adds; None if there is no t.
+        preload_slope: what each unit of t adds to every preload.
+        shares: the part of that of each contact; none for all of it.
+        frictions: the least and the largest coefficient, in place of those of the contacts, which
+            may differ between contacts; the largest may be None, for any.
+        chosen: places in `rows` of the contacts that `preload_slope` and `frictions` are about;
+            None for all.
+        max_displacement: how far contact points may move, if bounded.
+        region: rows, constant last, that are at least 0 at the motions in question.
+        background: wrench of further contacts, whose states are known, as a row for each number.
+        signs: of the slips that these motions allow each contact, 0 for both; none if unknown.
+        chords: rows that normal forces are at most at these motions; none if unknown.
+    """
+
+    rows: ContactRows
+    load: RationalVector
+    load_slope: RationalVector | None = None
+    preload_slope: Fraction = Fraction(0)
+    shares: tuple[Fraction, ...] = ()
+    frictions: Interval | None = None
+    max_displacement: Fraction | None = None
+    chosen: frozenset[int] | None = None
+    region: tuple[RationalVector, ...] = ()
+    background: tuple[RationalVector, ...] = ()
+    signs: tuple[int, ...] = ()
+    chords: tuple[RationalVector, ...] = ()
+
+    @cached_property
+    def symbols(self) -> dict[Any, Terms]:
+        """The spring, the slip and the displacements of each contact, in motion, t and 1."""
+        symbols: dict[Any, Terms] = {}
+        for i, contact in enumerate(self.rows):
+            moves = [sparse(x) for x in (contact.normal_wrench, *contact.tangential_wrenches)]
+            symbols |= {("displacement", i, j): terms for j, terms in enumerate(moves)}
+            symbols |= {("slip", i, j): terms for j, terms in enumerate(moves[1:])}
+            spring = self._of_t(contact.preload, self.slope_of(i))
+            symbols["spring", i] = added(spring, moves[0], -exact(contact.stiffness))
+            if self.chords:
+                symbols["chord", i] = expression(self.chords[i])
+        return symbols
+
+    def _of_t(self, constant: Any, slope: Any) -> Terms:
+        """Return what has a value at t = 0, and a slope."""
+        terms = {-1: constant, self.rows.n: slope}
+        return {j: exact(x) for j, x in terms.items() if x}
+
+    @cached_property
+    def sides(self) -> list[Condition]:
+        """That t is at least 0, and the region."""
+        magnitude = [] if self.load_slope is None else [{self.rows.n: ONE}]
+        return [Condition(self, x) for x in (*magnitude, *map(expression, self.region))]
+
+    @cached_property
+    def balance(self) -> list[Terms]:
+        """The balance without the forces of the contacts."""
+        slopes = self.load_slope or (0,) * self.rows.n
+        pairs = zip(self.rows.total_load(self.load), slopes, strict=True)
+        lines = [self._of_t(*pair) for pair in pairs]
+        for line, row in zip(lines, self.background, strict=False):
+            add(line, expression(row))
+        return lines
+
+    @cached_property
+    def _conditions(self) -> dict[tuple[int, State], ContactConditions]:
+        return {}
+
+    def conditions(self, i: int, state: State) -> ContactConditions:
+        """Return the law of a contact in a state."""
+        if (i, state) not in self._conditions:
+            self._conditions[i, state] = self._law(i, state)
+        return self._conditions[i, state]
+
+    def _law(self, i: int, state: State) -> ContactConditions:
+        contact = self.rows[i]
+        frame = contact.normal_wrench, *contact.tangential_wrenches
+        given = state if isinstance(state, ContactState) else self._state(i, state)
+        least: list[Terms] = []
+        equal: list[Terms] = []
+        spring = {("spring", i): ONE}
+        if self.max_displacement is not None and given.spring != "loose":
+            most = {-1: exact(self.max_displacement)}
+            for j in range(len(frame)):
+                least += [added(most, {("displacement", i, j): ONE}, sign) for sign in (1, -1)]
+        if given.spring == "detached":
+            least.append(times(spring, -1))
+            forces: list[Terms] = [{}] * len(frame)
+            unknowns: list[Any] = []
+        else:
+            unknowns = [("normal", i)] if given.spring in ("loose", "undecided") else []
+            normal = {unknowns[0]: ONE} if unknowns else spring
+            least.append(normal)
+            if given.spring == "undecided":
+                least.append(added(normal, spring, -1))
+                if self.chords:
+                    least.append(added({("chord", i): ONE}, normal, -1))
+            if given.share is None:
+                rubs = [("friction", i, j) for j in range(len(frame) - 1)]
+                forces = [normal, *({rub: ONE} for rub in rubs)]
+                unknowns += rubs
+            else:
+                limit = times(normal, exact(self.coefficients(i)[0]))
+                forces = [normal, *(times(limit, exact(x)) if x else {} for x in given.share)]
+        slips: list[Terms] = [{("slip", i, j): ONE} for j in range(len(frame) - 1)]
+        for of, sides in ((forces, given.friction), (slips, given.slip)):
+            for is_zero, factors in sides:
+                (equal if is_zero else least).append(combination(of, factors))
+        wrench: list[Terms] = [{} for _ in range(self.rows.n)]
+        for terms, unit in zip(forces, frame, strict=True):
+            for j, x in sparse(unit).items():
+                add(wrench[j], terms, x)
+        at_least, zero = ([Condition(self, x) for x in every] for every in (least, equal))
+        return ContactConditions(forces, unknowns, at_least, zero, wrench)
+
+    def _state(self, i: int, name: str) -> ContactState:
+        """Return the conditions of a state with a name; along one tangent, or without friction."""
+        sign, (low, high), tangents = self.sign(i, name), self.coefficients(i), self.rows.tangents
+        friction: list[Side] = []
+        share = (-sign,) * tangents if high == 0 or (sign and low == high) else None
+        if share is None and sign:
+            friction.append((False, (-low, -sign)))
+        if share is None and high is not None:
+            friction += [(False, (high, x)) for x in ((sign,) if sign else (1, -1))]
+        state = ContactState.of(name, tangents, tuple(friction))._replace(share=share)
+        return state._replace(slip=((False, (sign,)),)) if name in _SIGNS else state
+
+    def expanded(self, terms: Terms) -> Terms:
+        """Return an expression in unknowns, without symbols."""
+        found: Terms = {}
+        for key, x in terms.items():
+            add(found, self.symbols.get(key, {key: ONE}), x)
+        return found
+
+    def is_chosen(self, i: int) -> bool:
+        """Return whether the preload or the friction of a contact is not its own."""
+        return self.chosen is None or i in self.chosen
+
+    def slope_of(self, i: int) -> Fraction:
+        """Return what each unit of t adds to the preload of a contact."""
+        if not self.is_chosen(i):
+            return Fraction(0)
+        return self.preload_slope * self.shares[i] if self.shares else self.preload_slope
+
+    def at(self, t: Fraction) -> LinearQuestion:
+        """Return the question of one magnitude, which does not change with t."""
+        slopes = self.load_slope or (Fraction(0),) * len(self.load)
+        load = tuple(x + t * y for x, y in zip(self.load, slopes, strict=True))
+        contacts = tuple(
+            c._replace(preload=c.preload + t * self.slope_of(i)) for i, c in enumerate(self.rows)
+        )
+        return replace(
+            self,
+            rows=replace(self.rows, contacts=contacts),
+            load=load,
+            load_slope=None,
+            preload_slope=Fraction(0),
+        )
+
+    def coefficients(self, i: int) -> tuple[Fraction, Fraction | None]:
+        """Return the least and the largest friction coefficient of a contact."""
+        if self.frictions is None or not self.is_chosen(i):
+            return self.rows[i].friction, self.rows[i].friction
+        return self.frictions[0] or Fraction(0), self.frictions[1]
+
+    def is_smooth(self, i: int) -> bool:
+        """Return whether a contact has no friction."""
+        return self.coefficients(i)[1] == 0
+
+    def sign(self, i: int, state: str) -> int:
+        """Return the sign of the slip of a contact in a state; 0 where it may be any."""
+        return _SIGNS.get(state) or (
+            self.signs[i] if self.signs and state in ("undecided", "attached") else 0
+        )
+
+    def is_open(self, i: int, state: str) -> bool:
+        """Return whether a contact is not decided."""
+        if state == "attached":
+            return not (self.is_smooth(i) or self.sign(i, state))
+        return state == "undecided"
+
+
+def exact(x: Any) -> Any:
+    """Return a number of FLINT, whose products take a tenth of the time."""
+    from flint import fmpq
+
+    return fmpq(x.numerator, x.denominator)
+
+
+def fraction(x: Any) -> Fraction:
+    """Return a number of FLINT as a fraction."""
+    return Fraction(int(x.numerator), int(x.denominator))
+
+
+def sparse(row: Sequence[Any]) -> Terms:
+    """Return the entries of a row that are not 0: a contact of many bodies moves two."""
+    return {j: exact(x) for j, x in enumerate(row) if x}
+
+
+def expression(row: RationalVector) -> Terms:
+    """Return a row, constant last."""
+    return {-1: exact(row[-1]), **sparse(row[:-1])}
+
+
+def add(terms: Terms, others: Terms, factor: Any = 1) -> None:
+    """Add a multiple of an expression to another one."""
+    if factor:
+        for j, x in others.items():
+            if x:
+                more = factor * x
+                terms[j] = terms[j] + more if j in terms else more
+
+
+def added(terms: Terms, others: Terms, factor: Any = 1) -> Terms:
+    """Return the sum of an expression and a multiple of another one."""
+    found = dict(terms)
+    add(found, others, factor)
+    return found
+
+
+def times(terms: Terms, factor: Any) -> Terms:
+    """Return a multiple of an expression."""
+    return {j: factor * x for j, x in terms.items()}
+
+
+def combination(of: Sequence[Terms], factors: Iterable[Any]) -> Terms:
+    """Return the sum of expressions times factors."""
+    found: Terms = {}
+    for terms, factor in zip(of, factors, strict=True):
+        if factor:
+            add(found, terms, exact(factor))
+    return found
