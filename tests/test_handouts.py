@@ -12,6 +12,7 @@ import pytest
 
 from tests.browser import Browser
 from tests.docpages import ROOT
+from tests.latex import compiled, page_count
 
 sphinx = pytest.importorskip("sphinx.application")
 
@@ -57,17 +58,19 @@ Answers
 
 
 @pytest.fixture(scope="module")
-def build(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], Path]]:
-    """Build the pages of one lesson, each text once; return their folder."""
+def build(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., Path]]:
+    """Build the pages of one lesson, and of a course, each text once; return their folder."""
 
     @functools.cache
-    def made(lesson: str) -> Path:
+    def made(lesson: str, course: str = "") -> Path:
         work = tmp_path_factory.mktemp("handouts")
         lessons = work / "docs" / "lessons"
         lessons.mkdir(parents=True)
         (work / "docs" / "index.rst").write_text("Index\n=====\n\n.. toctree::\n\n   lessons/one\n")
         (lessons / "dot.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
         (lessons / "one.rst").write_text(lesson, encoding="utf-8")
+        (work / "docs" / "course").mkdir()
+        (work / "docs" / "course" / "course.toml").write_text(course, encoding="utf-8")
         sphinx.Sphinx(
             str(work / "docs"),
             None,
@@ -140,6 +143,50 @@ def test_lesson_without_answer_ends_the_build(build, old, new):
     assert old in LESSON
     with pytest.raises(Exception, match=r"answers|latex2mathml"):
         build(LESSON.replace(old, new))
+
+
+HOMEWORK = """
+course = "A course"
+[[homework]]
+name = "sheet"
+title = "A sheet"
+due = "2 May"
+exercises = [["one", 2, 3], ["one", 1, 1]]
+"""
+
+
+def test_homework_has_exercises_points_and_a_due_date(build):
+    made = build(LESSON.replace(".. figure:: dot.svg\n   :alt: a dot", "A quotation:"), HOMEWORK)
+    pages = made.parent / "course"
+    text = words(pages / "sheet-exercises.html")
+    order = ["A course", "due 2 May", "A sheet", "Exercise 1 (____ of 3 points)", "And twice that?"]
+    order += ["Exercise 2 (____ of 1 point)", "What is"]
+    assert sorted(order, key=text.index) == order
+    assert "Four, as a rule." in words(pages / "sheet-solutions.html")
+    asked, solved = (
+        (pages / f"sheet-{kind}.tex").read_text("utf-8") for kind in ("exercises", "solutions")
+    )
+    parts = ("due 2 May, 4 points", "Exercise 1 (3 points; lesson 1, exercise 2)", "$1 + 1$")
+    for part in parts:
+        assert part in asked
+        assert part in solved
+    assert ">>> 1 + 1\n2\n" in solved
+    assert "Two" not in asked
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "match"),
+    [('["one", 1, 1]', '["one", 3, 1]', "one has no exercise 3"), ("x", "x", "takes no picture")],
+)
+def test_homework_that_is_not_there_ends_the_build(build, old, new, match):
+    with pytest.raises(Exception, match=match):
+        build(LESSON, HOMEWORK.replace(old, new))
+
+
+def test_homework_is_compiled(latex, build):
+    made = build(LESSON.replace(".. figure:: dot.svg\n   :alt: a dot", "A quotation:"), HOMEWORK)
+    for kind in ("exercises", "solutions"):
+        assert page_count(compiled(made.parent / "course" / f"sheet-{kind}.tex")) == 1
 
 
 def test_sheets_are_printed(build, browser: Browser):

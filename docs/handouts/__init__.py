@@ -1,5 +1,7 @@
 """An exercise sheet and solutions of each lesson, made from the lesson by Sphinx, and its slides.
 
+Homework of several lessons, with points and a due date, is listed in course/course.toml.
+
 Beside the page NAME.html of a lesson stand NAME-exercises.html, NAME-solutions.html and, where
 there is a file slides/NAME.toml, NAME-slides.html. Each is one file with its pictures and MathML in
 it, which needs no network. A lesson has a section Exercises with one numbered list, and a section
@@ -19,9 +21,12 @@ from docutils import nodes
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from latex2mathml.converter import convert
 
+from .homework import homework, tex
 from .slides import course, write_slides
 
 KINDS = {"slides": "Slides", "exercises": "Exercise sheet", "solutions": "Solutions"}
+#: Of each lesson that was read, its exercises by number.
+_EXERCISES = {}
 _PAGES = Environment(
     loader=FileSystemLoader(Path(__file__).parent), autoescape=True, undefined=StrictUndefined
 )
@@ -95,38 +100,58 @@ def picture(path, alt, shown=""):
     return f'<img src="data:{kind};base64,{data}" alt="{escape(alt)}" {shown}>'
 
 
-def write(app, tree, name):
-    """Write the sheets of a lesson beside its page."""
+def write_sheets(app, name, heading, chosen, **about):
+    """Write a sheet and its solutions.
+
+    Args:
+        name: of the pages, without -exercises.html and -solutions.html.
+        heading: of both.
+        chosen: exercises, each with its "number", its "points", and its "question" and "answer" as
+            lists of nodes.
+        about: what the template shows besides, such as the day on which the sheet is due.
+    """
 
     def html(parts):
         holder = nodes.container("", *(part.deepcopy() for part in parts))
+        inline(holder, Path(app.srcdir))
         return app.builder.render_partial(holder)["fragment"]
 
-    inline(tree, Path(app.srcdir))
-    found = sections(tree)
-    asked, answered = exercises(found["Exercises"]), answers(found.pop("Answers"))
-    if list(asked) != list(answered):
-        raise ValueError(f"{name}: exercises {list(asked)}, but answers {list(answered)}")
-    lesson = title(next(tree.findall(nodes.section)))
-    given = {
-        "title": lesson,
-        "style": app.builder.highlighter.get_stylesheet(),
-    }
-    sheets = {"course": "", "date": "", "points": 0, **course(app.srcdir)}
-    sheet = [{"number": n, "question": html(parts), "answer": ""} for n, parts in asked.items()]
-    solved = [{**one, "answer": html(answered[one["number"]])} for one in sheet]
-    page = _PAGES.get_template("sheet.html")
-    for kind, shown in (("exercises", sheet), ("solutions", solved)):
+    style = app.builder.highlighter.get_stylesheet()
+    sheets = {"course": "", "date": "", "due": "", **course(app.srcdir), **about}
+    asked = [{**one, "question": html(one["question"]), "answer": ""} for one in chosen]
+    solved = [
+        {**one, "answer": html(full["answer"])} for one, full in zip(asked, chosen, strict=True)
+    ]
+    for kind, shown in (("exercises", asked), ("solutions", solved)):
         path = Path(app.outdir) / f"{name}-{kind}.html"
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(page.render(sheets | given, exercises=shown, kind=KINDS[kind]), "utf-8")
+        page = _PAGES.get_template("sheet.html")
+        given = {"title": heading, "style": style, "kind": KINDS[kind], "exercises": shown}
+        path.write_text(page.render(sheets | given), "utf-8")
+
+
+def exercises_of(tree, name, points):
+    """Return the exercises of a lesson, with their answers, by number."""
+    found = sections(tree)
+    asked, answered = exercises(found["Exercises"]), answers(found["Answers"])
+    if list(asked) != list(answered):
+        raise ValueError(f"{name}: exercises {list(asked)}, but answers {list(answered)}")
+    lesson, _, _ = title(next(tree.findall(nodes.section))).partition(" ")
+    about = {"lesson": lesson, "points": points}
+    return {
+        number: {**about, "number": number, "question": parts, "answer": answered[number]}
+        for number, parts in asked.items()
+    }
 
 
 def hand_out(app, tree, name):
     """Write what belongs to a lesson, link it on the page of the lesson, and fold the answers."""
     if app.builder.format != "html" or not name.startswith("lessons/"):
         return
-    write(app, copy.deepcopy(tree), name)
+    own = copy.deepcopy(tree)
+    found = exercises_of(own, name, course(app.srcdir).get("points", 0))
+    write_sheets(app, name, f"Lesson {title(next(own.findall(nodes.section)))}", found.values())
+    _EXERCISES[name.rpartition("/")[2]] = found
     stem = name.rpartition("/")[2]
     kinds = dict(KINDS)
     if not (Path(app.srcdir) / "slides" / f"{stem}.toml").exists():
@@ -135,6 +160,21 @@ def hand_out(app, tree, name):
     whole = next(tree.findall(nodes.section))
     whole.insert(1, nodes.raw("", f'<p class="handouts">{links}</p>', format="html"))
     fold_answers(sections(tree)["Answers"])
+
+
+def write_homework(app, error):
+    """Write each sheet of homework, its solutions, and both as TeX."""
+    if app.builder.format != "html" or error is not None:
+        return
+    for sheet in course(app.srcdir).get("homework", ()):
+        for lesson in {lesson for lesson, *_ in sheet["exercises"]} - _EXERCISES.keys():
+            app.env.get_and_resolve_doctree(f"lessons/{lesson}", app.builder)
+        chosen = homework(sheet, _EXERCISES)
+        name = f"course/{sheet['name']}"
+        write_sheets(app, name, sheet["title"], chosen, due=sheet["due"])
+        for kind in ("exercises", "solutions"):
+            text = tex(sheet, course(app.srcdir), chosen, kind == "solutions")
+            Path(app.outdir, f"{name}-{kind}.tex").write_text(text, "utf-8")
 
 
 def write_all_slides(app, error):
@@ -159,3 +199,4 @@ def setup(app):
     app.add_js_file(None, body=_UNFOLD)
     app.connect("doctree-resolved", hand_out)
     app.connect("build-finished", write_all_slides)
+    app.connect("build-finished", write_homework)

@@ -18,9 +18,9 @@ function step(change) {
 /** Show a slide, without its steps or with all of them. */
 function show(number, whole = false) {
   now = Math.max(0, Math.min(all.length - 1, number));
-  const scale = Math.min(innerWidth / 1280, innerHeight / 720);
+  const scale = Math.min(document.documentElement.clientWidth / 1280, document.documentElement.clientHeight / 720);
   all.forEach((slide, index) => slide.classList.toggle("now", index === now));
-  const place = `translate(${(innerWidth - 1280 * scale) / 2}px, ${(innerHeight - 720 * scale) / 2}px)`;
+  const place = `translate(${(document.documentElement.clientWidth - 1280 * scale) / 2}px, ${(document.documentElement.clientHeight - 720 * scale) / 2}px)`;
   all[now].style.transform = `${place} scale(${scale})`;
   all[now].querySelectorAll(".step").forEach((one) => one.classList.toggle("later", !whole));
   history.replaceState(null, "", `#${now + 1}`);
@@ -61,5 +61,5 @@ addEventListener("keydown", (event) => {
 });
 addEventListener("touchend", (event) => {
   if (event.target.closest("a")) return;
-  go(event.changedTouches[0].clientX > innerWidth / 2 ? 1 : -1);
+  go(event.changedTouches[0].clientX > document.documentElement.clientWidth / 2 ? 1 : -1);
 });
