@@ -10,7 +10,7 @@ gap that is named.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -20,30 +20,36 @@ from arrangement.console.number_form import ReprMixin
 from arrangement.library.files.json_files import Source
 from arrangement.numbers.exact import rational, shown, simplest_between, to_text
 from arrangement.numbers.functions import Domain, Function, Span
+from equilibrium.certificate.leaf_rule import TreeQuestion
 from equilibrium.certificate.parameter import (
     ParameterReport,
     check_parameter,
     decided_problem,
+    form_of,
     function_rows,
     parameter_entry,
     parameter_problem,
     question_entry,
 )
-from equilibrium.certificate.reading import SCHEMA_VERSION
+from equilibrium.certificate.reading import SCHEMA_VERSION, STATES, Leaf, Place
+from equilibrium.certificate.tree import placed_leaves
+from equilibrium.core.contacts import IntegerContacts
 from equilibrium.decide.assemblies.ends import Giving, limits_of
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.inputs.parameter import read_parametric
 from equilibrium.model.errors import GraspError
 from equilibrium.model.parameter import ParametricQuestion
+from equilibrium.plane.search.motion_regions import HALF_SPACE
+from equilibrium.plane.search.region_states import StateSplits, TooManyParts
 
 #: The largest gap between proofs, if none is given.
 TOLERANCE = Fraction(1, 10**6)
 #: Questions that are asked at most.
 _MOST_QUESTIONS = 200
-#: Largest denominators of simpler numbers that are tried in the place of those of a proof.
-_SIMPLE = (12, 1000)
-#: What of an inner node is no child.
-_KEPT = ("contact", "edge", "at", "part", "contacts")
+#: Programs for a proof by states alone.
+_MOST_PROGRAMS = 100
+#: How the checker orders the states of a contact.
+_ORDER = {state: k for states in STATES.values() for k, state in enumerate(states)}
 
 
 class Piece(NamedTuple):
@@ -229,9 +235,8 @@ class _Search:
         self.family, self.between, self.tolerance = family, between, tolerance
         self.pieces: list[Piece] = []
         self.asked: dict[Fraction, str] = {}
-        #: Ends of gaps near which a value was asked, and trees by the values where they were found.
+        #: Ends of gaps near which a value was asked.
         self.near: set[Fraction] = set()
-        self.trees: dict[Fraction, Any] = {}
         family.at((between.low + between.high) / 2)  # what is no question is named here
         # Numbers out of range are found here, for all values.
         domain = Domain(between, letter=family.letter)
@@ -315,7 +320,7 @@ class _Search:
         if verdict.verdict == "undecided":
             return
         best: Piece | None = None
-        for proof in self._proofs(value, gap, verdict.certificate.to_dict()):
+        for proof in self._proofs(value, verdict.certificate.to_dict()):
             span = self._reach(proof, value, gap)
             if span is None:
                 continue
@@ -330,9 +335,7 @@ class _Search:
             if min(value - gap.low, gap.high - value) <= self.tolerance:
                 self.near |= {best.span.low, best.span.high}
 
-    def _proofs(
-        self, value: Fraction, gap: Span, document: Mapping[str, Any]
-    ) -> Iterator[Mapping[str, Any]]:
+    def _proofs(self, value: Fraction, document: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
         """Yield proofs that hold at a value, those first that may hold far from it."""
         family = self.family
         if "tree" not in document:
@@ -342,24 +345,22 @@ class _Search:
                     yield carried
             yield {key: document[key] for key in ("motion", "forces")}
             return
-        tree = _simpler(document["tree"], 0)
-        shape, letter = _shape(tree), family.letter
-        # A sum of two trees of one shape turns with the question.
-        alike = [x for x, other in self.trees.items() if _shape(other) == shape]
-        below = max((x for x in alike if x < value), default=None)
-        above = min((x for x in alike if x > value), default=None)
-        self.trees[value] = tree
-        for other in (below, above):
-            if other is not None:
-                yield {"tree": _between(tree, self.trees[other], value, other, letter)}
-        for most in _SIMPLE:
-            simple = _simpler(tree, most)
-            yield {"tree": simple}
-            # The limit of proofs, at an end that is proved otherwise.
-            for end, has_end in ((gap.low, gap.has_low), (gap.high, gap.has_high)):
-                if end != value and not has_end:
-                    yield {"tree": _between(tree, simple, value, end, letter)}
-        yield {"tree": tree}
+        by_states = self._tree_by_states(value, document["tree"])
+        if by_states is not None:
+            yield {"tree": _carried_tree(family, value, by_states)}
+        yield {"tree": document["tree"]}
+
+    def _tree_by_states(self, value: Fraction, tree: Any) -> Any:
+        """Return a proof at a value by states alone, if there is one that is not too long."""
+        if self.family.names is not None:
+            return None if "part" in tree else tree
+        question: Any = self.family.at(value)
+        grasp, wrench = question
+        contacts, load = IntegerContacts(grasp), grasp.total_load(wrench)
+        try:
+            return StateSplits(contacts, load, HALF_SPACE, _MOST_PROGRAMS).decide()
+        except TooManyParts:
+            return None
 
     def _reach(self, proof: Mapping[str, Any], value: Fraction, gap: Span) -> Span | None:
         """Return the interval around a value, or on one side of it, where a proof holds."""
@@ -370,59 +371,12 @@ class _Search:
             return None
 
 
-def _shape(node: Any) -> Any:
-    """Return a tree without the numbers of its leaves."""
-    if isinstance(node, Mapping):
-        pairs = sorted(node.items())
-        return tuple((key, str(x) if key in _KEPT else _shape(x)) for key, x in pairs)
-    return tuple(map(_shape, node)) if isinstance(node, list) else None
-
-
-def _between(first: Any, last: Any, start: Fraction, end: Fraction, letter: str) -> Any:
-    """Return a tree that is one at a value and another one at a second value, linear between.
-
-    Both have one shape.
-    """
-    if isinstance(first, Mapping):
-        return {
-            key: first[key] if key in _KEPT else _between(x, last[key], start, end, letter)
-            for key, x in first.items()
-        }
-    if isinstance(first, list):
-        return [_between(x, y, start, end, letter) for x, y in zip(first, last, strict=True)]
-    if not isinstance(first, str):
-        return first
-    sign = 1 if end > start else -1
-    x, y = sign * Fraction(first), sign * Fraction(last)
-    slope, constant = y - x, x * end - y * start
-    return f"({to_text(slope)})*{letter} + ({to_text(constant)})" if slope else to_text(constant)
-
-
-def _simpler(node: Any, most: int) -> Any:
-    """Return a tree whose virtual motions and multipliers have simpler numbers, of size 1."""
-    if not isinstance(node, Mapping):
-        is_leaf = isinstance(node, list) and isinstance(node[0], str)
-        return _rounded(node, node, most) if is_leaf else [_simpler(x, most) for x in node]
-    if "virtual_motion" in node:
-        return _rounded(node, node["virtual_motion"], most)
-    kept = {key: node[key] for key in _KEPT if key in node}
-    return kept | {key: _simpler(x, most) for key, x in node.items() if key not in kept}
-
-
-def _rounded(leaf: Any, motion: Any, most: int) -> Any:
-    """Return the numbers of a leaf over the size of its motion; nearly, if a limit is given."""
-    rows = motion.values() if isinstance(motion, Mapping) else [motion]
-    size = max((abs(Fraction(x)) for row in rows for x in row), default=Fraction(1)) or 1
-
-    def changed(value: Any) -> Any:
-        if isinstance(value, Mapping):
-            return {key: changed(x) for key, x in value.items()}
-        if isinstance(value, list):
-            return list(map(changed, value))
-        number = Fraction(value) / size
-        return to_text(number.limit_denominator(most) if most else number)
-
-    return changed(leaf)
+def _with_leaves(node: Any, change: Callable[[], Any]) -> Any:
+    """Return a tree by states with other leaves, made in the order of the checker."""
+    if not isinstance(node, Mapping) or "virtual_motion" in node:
+        return change()
+    pairs = sorted(node.items(), key=lambda pair: _ORDER.get(pair[0], 0))
+    return {key: x if key == "contact" else _with_leaves(x, change) for key, x in pairs}
 
 
 def _carried(
@@ -482,19 +436,84 @@ def _carried(
             row = [*terms, constant - less]
             line = [x + (zero + wrench[j]) * y for x, y in zip(line, row, strict=True)]
         lines.append(line)
-    solved = _solved(lines, unknowns, value)
+    solved = _solved([lines], unknowns, value)
     if solved is None:
         return None
     forces = [
         [_applied(pair, solved) for pair in (full[i], full[len(rows) + i])]
         for i in range(len(rows))
     ]
-    texts = [x.text() for x in solved[:n]]
-    by_name = {name: texts[3 * k : 3 * k + 3] for k, name in enumerate(names)}
     return {
-        "motion": by_name if names else texts,
+        "motion": _motion_entry(family, solved[:n]),
         "forces": [[x.text() for x in pair] for pair in forces],
     }
+
+
+def _carried_tree(family: ParametricQuestion, value: Fraction, tree: Any) -> Any:
+    """Return a tree by states alone, with functions of the letter for the numbers of its leaves."""
+    domain = Domain(Span(value, value), letter=family.letter)
+    rows = function_rows(family, domain)
+    form = form_of(family, lambda number, _: Fraction(number))
+    places = placed_leaves(tree, TreeQuestion(rows, family.load(domain), form))
+    return _with_leaves(tree, lambda: _carried_leaf(family, value, rows, *next(places)))
+
+
+def _carried_leaf(
+    family: ParametricQuestion, value: Fraction, rows: Sequence[Any], leaf: Leaf, place: Place
+) -> Any:
+    """Return a leaf of `_carried_tree`.
+
+    It solves linear equations. What depends on the displacement cancels. As far as they are
+    independent, there follow what holds at the value: multipliers are 0, or as large as possible,
+    and a contact does not slip on the virtual motion.
+    """
+    zero = Function.constant(0, Domain(Span(value, value), letter=family.letter))
+    n, size = len(leaf.motion), len(leaf.motion) + 2 * len(rows)
+
+    def equation(terms: Sequence[Any], k: int = 0, factor: int = 0) -> list[Any]:
+        row = [*terms, *[zero] * (size + 1 - len(terms))]
+        row[k] += factor
+        return row
+
+    values, listed = [*leaf.motion], list[tuple[int, bool]]()
+    balance = [equation([]) for _ in leaf.motion]
+    zeros, largest = list[list[Any]](), list[list[Any]]()
+    for i, row in enumerate(rows):
+        state = str(place.states.get(i, "undecided"))
+        along, across = ([zero + x for x in wrench] for wrench in row.wrenches)
+        slip = sum(x.at(value) * y for x, y in zip(across, leaf.motion, strict=True))
+        sign = {"slip+": 1, "slip-": -1}.get(state, (slip > 0) - (slip < 0))
+        factor = [x - row.friction * sign * y for x, y in zip(along, across, strict=True)]
+        kappa = sum(x.at(value) * y for x, y in zip(factor, leaf.motion, strict=True))
+        # In a region a contact that is decided has these multipliers, if it is not listed.
+        is_implied = bool(place.region) and state not in ("undecided", "detached")
+        alpha, h = leaf.multipliers.get(i, (Fraction(kappa * is_implied), Fraction(0)))
+        k = len(values)
+        values += alpha, h
+        zeros += [equation([], j, 1) for j, number in ((k, alpha), (k + 1, h)) if not number]
+        if alpha == kappa and state != "detached":
+            largest.append(equation(factor, k, -1))
+        if not sign and row.friction.top:
+            largest.append(equation(across))
+        for line, x, y in zip(balance, along, across, strict=True):
+            line[k], line[k + 1] = row.stiffness * x * -1, y
+        listed.append((k, is_implied))
+    solved = _solved([balance, zeros, largest], values, value)
+    assert solved is not None  # Nothing is constant in these equations.
+    multipliers = {
+        str(i): [x.text() for x in solved[k : k + 2]]
+        for i, (k, is_implied) in enumerate(listed)
+        if is_implied or any(x.top for x in solved[k : k + 2])
+    }
+    motion = _motion_entry(family, solved[:n])
+    is_short = isinstance(motion, list) and not multipliers
+    return motion if is_short else {"virtual_motion": motion, "multipliers": multipliers}
+
+
+def _motion_entry(family: ParametricQuestion, motion: Sequence[Any]) -> Any:
+    """Return the JSON form of a motion in functions."""
+    texts, names = [x.text() for x in motion], family.names
+    return texts if names is None else {x: texts[3 * k : 3 * k + 3] for k, x in enumerate(names)}
 
 
 def _padded(terms: Sequence[Any], size: int, zero: Any) -> list[Any]:
@@ -506,32 +525,42 @@ def _applied(pair: Sequence[Any], values: Sequence[Any]) -> Any:
     return sum((x * y for x, y in zip(terms, values, strict=True)), constant)
 
 
-def _solved(lines: list[list[Any]], values: Sequence[Fraction], at: Fraction) -> list[Any] | None:
-    """Solve linear equations ``row . x + constant = 0`` by elimination.
+def _solved(
+    blocks: Sequence[Sequence[list[Any]]], values: Sequence[Fraction], at: Fraction
+) -> list[Any] | None:
+    """Solve linear equations ``row . x + constant = 0``, block by block, by elimination.
 
-    Unknowns without a pivot keep their values. Pivots are chosen by their sizes at a value.
+    Unknowns without a pivot keep their values. Pivots are chosen by their sizes at a value, and
+    equations that follow there from those before them are left out.
     """
-    rest, pivots = list(lines), list[tuple[int, list[Any]]]()
-    while rest:
-        sizes = [[abs(x.at(at)) for x in line[:-1]] for line in rest]
-        largest = max((max(row, default=Fraction(0)) for row in sizes), default=Fraction(0))
-        if not largest:
-            break
-        i = next(k for k, row in enumerate(sizes) if largest in row)
-        j, line = sizes[i].index(largest), rest.pop(i)
-        line = [x / line[j] for x in line]
 
-        def less(other: list[Any], line: list[Any] = line, j: int = j) -> list[Any]:
-            return [x - other[j] * y for x, y in zip(other, line, strict=True)]
+    def less(line: list[Any], other: list[Any], j: int) -> list[Any]:
+        return [x - line[j] * y for x, y in zip(line, other, strict=True)] if line[j].top else line
 
-        rest = [less(other) for other in rest]
-        pivots = [(k, less(other)) for k, other in pivots] + [(j, line)]
-    if any(line[-1].at(at) for line in rest):
-        return None
-    known: list[Any] = [lines[0][-1] * 0 + x for x in values]
+    def largest(line: list[Any]) -> Fraction:
+        sizes = (abs(x.at(at)) for x in line[:-1])
+        return max(sizes, default=Fraction(0))
+
+    pivots: list[tuple[int, list[Any]]] = []
+    for block in blocks:
+        rest = list(block)
+        for j, other in pivots:
+            rest = [less(line, other, j) for line in rest]
+        while rest:
+            line = rest.pop(max(range(len(rest)), key=lambda k: largest(rest[k])))
+            if not (size := largest(line)):
+                if any(other[-1].at(at) for other in (line, *rest)):
+                    return None
+                break
+            j = next(k for k, x in enumerate(line) if abs(x.at(at)) == size)
+            line = [x / line[j] if x.top else x for x in line]
+            rest = [less(other, line, j) for other in rest]
+            pivots = [(k, less(other, line, j)) for k, other in pivots] + [(j, line)]
+    zero = blocks[0][0][-1] * 0
+    known: list[Any] = [zero + x for x in values]
     chosen = {j for j, _ in pivots}
     for j, line in pivots:
-        terms = (x * values[k] for k, x in enumerate(line[:-1]) if k not in chosen)
+        terms = (x * values[k] for k, x in enumerate(line[:-1]) if k not in chosen and x.top)
         known[j] = sum(terms, line[-1]) * -1
     return known
 
