@@ -42,7 +42,7 @@ def test_every_view_and_model_is_shown_and_views_as_tikz_too(program, drawings):
     own = [words for words in SHOWN if words[0] == program]
     models = [words for words in own if words[-1].endswith(MODELS)]
     flat = [words for words in own if words not in models]
-    tikz = [words for words in own if f"{words[-1].removesuffix('.svg')}.tex>" in TEXT]
+    tikz = [words for words in own if f".. tikz:: {words[-1].removesuffix('.svg')}\n" in TEXT]
     first = next(iter(drawings.views))
     for found in (flat, tikz):
         views = (option(w, "--view", drawn(w) or first).split(",") for w in found)
@@ -54,11 +54,9 @@ def test_every_view_and_model_is_shown_and_views_as_tikz_too(program, drawings):
 def test_every_picture_that_a_command_makes_is_on_a_page():
     made = {option(words, "-o", "") for words in SHOWN}
     shown = set(re.findall(r"(?:_generated|<../pages)/(gallery-[\w.-]+)", TEXT))
-    tikz = {path for path in shown if path.endswith(".tex")}
-    set_in_latex = {path.replace(".tex", "-tikz.png") for path in tikz}
-    assert made == shown - tikz - set_in_latex
-    assert set_in_latex <= shown
-    assert {path.replace(".tex", ".svg") for path in tikz} <= made
+    tikz = set(re.findall(r"(?m)^\.\. tikz:: (gallery-[\w-]+)$", TEXT))
+    assert made == shown
+    assert {f"{name}.svg" for name in tikz} <= made
 
 
 def test_pages_open_in_the_browser():

@@ -1,7 +1,8 @@
 """Every picture of the gallery, made by the very command that its page shows beside it.
 
 Of a picture in SVG that the page offers as TikZ too, the command makes this as well, and where
-pdflatex is installed it is set: all are pages of one document.
+pdflatex is installed it is set: all are pages of one document. The first picture of a page is drawn
+without a legend, too, as its thumbnail.
 """
 
 import re
@@ -10,14 +11,11 @@ import shutil
 import subprocess
 from pathlib import Path
 
-import matplotlib.pyplot as plt
-
 import arrangement.cli
 import equilibrium.cli
 
 MAIN = {"arrangement": arrangement.cli.main, "equilibrium": equilibrium.cli.main}
 PAGES = sorted((Path(__file__).parents[1] / "gallery").glob("*.rst"))
-TEXT = "\n".join(page.read_text(encoding="utf-8") for page in PAGES)
 #: The width and height of its paper, and what a file in TikZ draws.
 TIKZ = re.compile(
     r"paperwidth=([\d.]+bp),paperheight=([\d.]+bp).*?"
@@ -27,15 +25,7 @@ TIKZ = re.compile(
 
 
 def set_in_latex(sources: list[Path]) -> None:
-    """Write NAME-tikz.png: what pdflatex makes of NAME.tex, or a word that it is missing."""
-    if not (shutil.which("pdflatex") and shutil.which("pdftoppm")):
-        for source in sources:
-            figure = plt.figure(figsize=(4, 0.6))
-            words = f"pdflatex {source.name}\n(LaTeX is not installed here)"
-            figure.text(0.5, 0.5, words, ha="center", va="center")
-            figure.savefig(f"{source.stem}-tikz.png")
-            plt.close(figure)
-        return
+    """Write NAME-tikz.png, what pdflatex makes of NAME.tex."""
     lines = [
         r"\RequirePackage{fix-cm}\documentclass{article}",
         r"\usepackage[paperwidth=100cm,paperheight=100cm,margin=0bp]{geometry}",
@@ -60,13 +50,30 @@ def set_in_latex(sources: list[Path]) -> None:
         document.with_suffix(suffix).unlink()
 
 
-drawn = []
-for command in re.findall(r"^ *\$ (\w+ (?:make|draw|lab) (?:.*\\\n)*.*)$", TEXT, re.MULTILINE):
-    name, *words = shlex.split(command.replace("\\\n", " "))
-    made = words[-1]
-    for path in (made, *{made.replace(".svg", ".tex")} - {made}):
-        if path in TEXT and MAIN[name]([*words[:-1], path]):
-            raise RuntimeError(f"the gallery shows a command that fails: {command}")
-        if path in TEXT and path.endswith(".tex"):
-            drawn.append(Path(path))
-set_in_latex(drawn)
+def draw(words: list[str]) -> None:
+    """Run a command, or end the build."""
+    name, *rest = words
+    if MAIN[name](rest):
+        raise RuntimeError(f"the gallery shows a command that fails: {shlex.join(words)}")
+
+
+def draw_page(page: Path) -> list[Path]:
+    """Make what the commands of a page make; return the files in TikZ."""
+    text = page.read_text(encoding="utf-8")
+    offered, first = [], True
+    for command in re.findall(r"^ *\$ (\w+ (?:make|draw|lab) (?:.*\\\n)*.*)$", text, re.MULTILINE):
+        *words, made = shlex.split(command.replace("\\\n", " "))
+        draw([*words, made])
+        name, suffix = made.rsplit(".", 1)
+        if suffix == "svg" and f".. tikz:: {name}\n" in text:
+            draw([*words, f"{name}.tex"])
+            offered.append(Path(f"{name}.tex"))
+        if first and words[1] == "draw" and suffix == "svg":
+            draw([*words, f"gallery-thumbnail-{page.stem}.svg", "--legend", "none"])
+            first = False
+    return offered
+
+
+drawn = [path for page in PAGES for path in draw_page(page)]
+if shutil.which("pdflatex") and shutil.which("pdftoppm"):
+    set_in_latex(drawn)

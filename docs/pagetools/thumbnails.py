@@ -1,7 +1,11 @@
-"""The directive thumbnails: the first picture of each page of a folder, with a link to the page.
+"""The directives thumbnails and tikz: the pictures of the gallery.
 
-Its argument is the folder; each line of its content is the name of a page there. The pages become
-a table of contents too.
+Of thumbnails, the argument is a folder, and each line of the content is the name of a page there.
+Shown is the first picture of each page, without its legend where that was drawn, with a link to the
+page. The pages become a table of contents too.
+
+The argument of tikz is the name of a picture that is there in TikZ too. Shown is what LaTeX makes
+of it, where that is installed, and a link to the file.
 """
 
 import re
@@ -29,6 +33,9 @@ class Thumbnails(SphinxDirective):
             title = text.partition("\n")[0]
             shown, alt = _FIGURE.search(text).groups()
             alt = " ".join(alt.split())
+            small = f"/_generated/{folder}-thumbnail-{name}.svg"
+            if Path(f"{self.env.srcdir}{small}").exists():
+                shown = small
             lines += [f"   .. figure:: {shown}", f"      :alt: {alt}"]
             lines += [f"      :target: {folder}/{name}.html", ""]
             lines += [f"      :doc:`{title} <{folder}/{name}>`", ""]
@@ -36,5 +43,19 @@ class Thumbnails(SphinxDirective):
         return self.parse_text_to_nodes("\n".join(lines))
 
 
+class TikZ(SphinxDirective):
+    required_arguments = 1
+
+    def run(self):
+        (name,) = self.arguments
+        link = f"In LaTeX: :download:`{name}.tex </_generated/{name}.tex>`"
+        lines = [link]
+        if Path(self.env.srcdir, "_generated", f"{name}-tikz.png").exists():
+            lines = [f".. figure:: /_generated/{name}-tikz.png", "   :width: 60%"]
+            lines += ["   :alt: The same picture as LaTeX sets it.", "", f"   {link}"]
+        return self.parse_text_to_nodes("\n".join(lines))
+
+
 def setup(app):
+    app.add_directive("tikz", TikZ)
     app.add_directive("thumbnails", Thumbnails)
