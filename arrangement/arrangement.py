@@ -7,7 +7,7 @@ import os
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -19,14 +19,21 @@ from .counts import completeness
 from .counts.operations import flat_chart
 from .counts.whitney import f_vector, region_count
 from .enumeration import regions
-from .enumeration.choose import enumerate_faces, enumerate_regions, enumerate_regions_inside
+from .enumeration.choose import (
+    enumerate_faces,
+    enumerate_faces_inside,
+    enumerate_regions,
+    enumerate_regions_inside,
+)
 from .enumeration.great_circles import SphereArrangement, sphere_arrangement
 from .enumeration.sequence import FaceSequence
+from .enumeration.subdivision import Cut, cut
 from .errors import HintsMixin, InputError
 from .numbers.exact import shown, vector_text
 from .planes.faces import Face
 from .planes.identification import Identification
 from .planes.planes import Planes
+from .planes.polygon import convex_polygon
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -34,6 +41,9 @@ if TYPE_CHECKING:
 
     from .drawing.path_artist import Drawing
     from .duals.zonotope import Zonotope
+
+#: A convex polyhedron: planes with it on the positive side, a region, or corners of a polygon.
+Inside: TypeAlias = Planes | Face | str | Iterable[Iterable[Any]]
 
 
 class Arrangement(HintsMixin, Planes):
@@ -78,36 +88,46 @@ class Arrangement(HintsMixin, Planes):
         """Yield every face (of one dimension, if given) with an exact witness, as `faces` does."""
         return iter(self.faces(dimension))
 
-    def faces(self, dimension: int | None = None, *, engine: str | None = None) -> FaceSequence:
+    def faces(
+        self,
+        dimension: int | None = None,
+        *,
+        engine: str | None = None,
+        inside: Inside | None = None,
+    ) -> FaceSequence:
         """Return every face, or those of one dimension, lowest dimension first.
 
         Args:
             dimension: 0 to d.
             engine: one of `arrangement.enumeration.choose.ENGINES`, which says what each can do;
                 if omitted, the best one for these planes.
+            inside: as for `regions`: only the faces that meet the interior of the polyhedron.
 
         Raises:
             InputError: no such dimension or engine, or an engine that cannot do these planes.
             OutOfReachError: the list takes more than the budget (`arrangement.numbers.budget`).
         """
         if engine is None and type(dimension) is int and dimension == self.dimension:
-            return self.regions()
-        faces = self._faces if engine is None else enumerate_faces(self, engine, f_vector)
+            return self.regions(inside)
+        if inside is not None:
+            faces = enumerate_faces_inside(self, _sides(inside), engine)
+        else:
+            faces = self._faces if engine is None else enumerate_faces(self, engine, f_vector)
         return faces if dimension is None else faces.of_dimension(dimension)
 
     @cached_property
     def _faces(self) -> FaceSequence:
         return enumerate_faces(self, count=f_vector)
 
-    def regions(self, inside: Planes | Face | None = None) -> FaceSequence:
+    def regions(self, inside: Inside | None = None) -> FaceSequence:
         """Return the faces of full dimension: the cells that no plane meets.
 
         Many of them, from rank 5 on (4 for affine planes), are listed without the other faces.
 
         Args:
             inside: planes that bound a polyhedron, which is on the positive side of each, or a
-                region of other planes: only the regions that meet it are listed, each with a
-                witness in it.
+                region of other planes, or the corners of a convex polygon in their order: only the
+                regions that meet its interior are listed, each with a witness in it.
 
         Raises:
             OutOfReachError: the list takes more than the budget (`arrangement.numbers.budget`).
@@ -118,11 +138,7 @@ class Arrangement(HintsMixin, Planes):
         """
         if inside is None:
             return self._regions
-        if isinstance(inside, Face):
-            inside = inside.sides
-        if not isinstance(inside, Planes):
-            raise InputError(f"inside is {shown(inside)}; give planes, or a region of some")
-        return enumerate_regions_inside(self, inside)
+        return enumerate_regions_inside(self, _sides(inside))
 
     @cached_property
     def _regions(self) -> FaceSequence:
@@ -145,6 +161,23 @@ class Arrangement(HintsMixin, Planes):
         (0, 1)
         """
         return regions.bounded_regions(self, self.regions(), relative=relative)
+
+    def pieces(self, inside: Inside) -> Cut:
+        """Count the pieces of lines of R^2 inside and outside of a convex polygon.
+
+        The sides of the polygon are drawn: they bound its cells, and those around it.
+
+        Args:
+            inside: as for `regions`.
+
+        Raises:
+            InputError: planes of another space, or no such polygon.
+
+        >>> cut = Arrangement([[1, 1], [1, -1]]).pieces([(1, 1), (-1, 1), (-1, -1), (1, -1)])
+        >>> cut.inside.vertices, cut.inside.edges, cut.inside.cells, cut.outside.cells
+        (1, 4, 4, 4)
+        """
+        return cut(self, _sides(inside))
 
     def face_at(self, point: Iterable[Any]) -> Face:
         """Return the face that contains a point of R^d."""
@@ -500,3 +533,14 @@ class Arrangement(HintsMixin, Planes):
         """Return what a notebook shows where there is no picture: a table of counts."""
         text: str | None = attached("Arrangement._repr_html_")(self)
         return text
+
+
+def _sides(inside: Inside) -> Planes:
+    """Return the planes that bound a polyhedron, with it on the positive side of each."""
+    if isinstance(inside, Face):
+        return inside.sides
+    if not isinstance(inside, (Planes, Iterable)):
+        raise InputError(
+            f"inside is {shown(inside)}; give planes, a region of some, or corners of a polygon"
+        )
+    return inside if isinstance(inside, Planes) else convex_polygon(inside)

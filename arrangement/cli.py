@@ -22,12 +22,14 @@ from .numbers.exact import shown
 
 if TYPE_CHECKING:
     from .arrangement import Arrangement
+    from .enumeration.subdivision import Pieces
 
 _Command = Callable[[argparse.Namespace], int]
 _FILE = (
     "an arrangement or a grasp: a path, - for standard input, or a built-in name; in any format of "
     "`arrangement convert`"
 )
+_POLYGON = "a polygon, or of planes that have it on their positive sides: a file, as FILE"
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -82,7 +84,9 @@ def _parser() -> Parser:
     faces.add_argument(
         "--dimension", type=values.integer_argument, metavar="K", help="only faces of dimension K"
     )
-    faces.add_argument("--bounded", action="store_true", help="only the bounded regions")
+    chosen = faces.add_mutually_exclusive_group()
+    chosen.add_argument("--bounded", action="store_true", help="only the bounded regions")
+    chosen.add_argument("--inside", metavar="POLYGON", help=f"only the faces inside of {_POLYGON}")
     terminal.add_number_options(faces)
     add("identify", _identify, "find the isomorphism class, of those of up to nine hyperplanes")
     draw = add("draw", _draw, "draw pictures and pages; export 3D-printable models")
@@ -133,6 +137,11 @@ def _add_count(count: argparse.ArgumentParser) -> None:
         action="store_true",
         help="count by the formally verified program (built by `make formal`)",
     )
+    instead.add_argument(
+        "--inside",
+        metavar="POLYGON",
+        help=f"count the pieces of lines of R^2 inside and outside of {_POLYGON}",
+    )
     terminal.add_worker_options(count)
 
 
@@ -141,16 +150,18 @@ def _later(module: str) -> Any:
     return import_module(f".{module}", __package__)
 
 
-def _read(arguments: argparse.Namespace) -> Arrangement:
+def _read(arguments: argparse.Namespace, name: str = "file") -> Arrangement:
     from .library.files.table import read_arrangement
 
-    return read_arrangement(arguments.file)
+    return read_arrangement(getattr(arguments, name))
 
 
 def _count(arguments: argparse.Namespace) -> int:
     arrangement = _read(arguments)
     if arguments.forecast:
         return _forecast(arrangement, arguments)
+    if arguments.inside is not None:
+        return _count_pieces(arrangement, arguments)
     try:
         numbers = _whitney_numbers(arrangement, arguments)
     except WaitingError as waiting:
@@ -187,6 +198,29 @@ def _count(arguments: argparse.Namespace) -> int:
             **({"counted by": "the verified program"} if arguments.verified else {}),
         }
     )
+
+
+def _count_pieces(lines: Arrangement, arguments: argparse.Namespace) -> int:
+    """Print what lines cut the inside of a polygon, its sides and the outside into."""
+    cut = lines.pieces(_read(arguments, "inside"))
+    if arguments.json:
+        places = {place: pieces._asdict() for place, pieces in cut._asdict().items()}
+        terminal.print_json({"lines": len(lines), **places})
+        return terminal.YES
+    rows: dict[str, object] = {"lines": len(lines)}
+    for place, pieces in cut._asdict().items():
+        rows |= {f"{place}: {name}": n for name, n in _piece_rows(pieces, place != "boundary")}
+    return _print_rows(rows)
+
+
+def _piece_rows(pieces: Pieces, cells: bool = True) -> list[tuple[str, int]]:
+    rows = [("vertices", pieces.vertices), ("edges", pieces.edges)]
+    if cells:
+        rows.append(("cells", pieces.cells))
+        if pieces.bounded_cells < pieces.cells:
+            rows.append(("bounded cells", pieces.bounded_cells))
+        rows += [(f"  of {k} edges", n) for k, n in pieces.cells_by_edges.items()]
+    return rows
 
 
 def _waiting(waiting: WaitingError, arguments: argparse.Namespace) -> int:
@@ -328,14 +362,15 @@ def _faces(arguments: argparse.Namespace) -> int:
         print(f"points in {arrangement.field!r}")
     if arguments.bounded and arguments.dimension not in (None, arrangement.dimension):
         raise InputError("--bounded lists regions; omit --dimension")
-    if _counts_are_cheap(arrangement):
+    known = _counts_are_cheap(arrangement) and arguments.inside is None
+    if known:
         _ask_to_print(_face_count(arrangement, arguments), arrangement)
-    faces = (
-        arrangement.bounded_regions()
-        if arguments.bounded
-        else arrangement.faces(arguments.dimension)
-    )
-    if not _counts_are_cheap(arrangement):
+    if arguments.bounded:
+        faces = arrangement.bounded_regions()
+    else:
+        inside = None if arguments.inside is None else _read(arguments, "inside")
+        faces = arrangement.faces(arguments.dimension, inside=inside)
+    if not known:
         _ask_to_print(len(faces), arrangement)
     for face in faces:
         if arguments.json:

@@ -222,6 +222,10 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ("tests/arrangement/test_regions_alone.py",): ("arrangement.enumeration.deletion_restriction",),
     ("tests/arrangement/test_paper_steps.py",): ("arrangement.enumeration.paper_steps",),
     ("tests/arrangement/test_regions.py",): ("arrangement.enumeration.regions",),
+    ("tests/arrangement/test_pieces.py",): (
+        "arrangement.enumeration.subdivision",
+        "arrangement.planes.polygon",
+    ),
     (
         "tests/arrangement/test_great_circles.py",
         "tests/arrangement/test_great_circles_exactness.py",

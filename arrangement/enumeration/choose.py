@@ -100,7 +100,7 @@ def enumerate_faces(
     chosen = ENGINES[engine]
     if not chosen.ranks(planes):
         raise InputError(f"the engine {engine} does {chosen.can}; these are {planes!r}")
-    _check_cost(planes, chosen, count)
+    check_engine(planes, chosen, count)
     planes = copy(planes)  # planes may keep their faces, so the faces do not keep those planes
     return FaceSequence(planes, chosen.list_faces(planes), engine)
 
@@ -159,14 +159,8 @@ def enumerate_regions_inside(planes: Planes, sides: Planes) -> FaceSequence:
         InputError: planes of another space.
         OutOfReachError: the list takes more than the budget.
     """
-    if sides.dimension != planes.dimension:
-        raise InputError(
-            f"inside is in R^{sides.dimension} and the planes are in R^{planes.dimension}; give "
-            "planes of one space"
-        )
-    rows = [*sides.integer_planes, *planes.integer_planes]
-    joined = Planes([r[:-1] for r in rows], [r[-1] for r in rows], dimension=planes.dimension)
-    engine, level = "deletion-restriction", no_faces(len(rows), planes.dimension)
+    joined = _beside(sides, planes)
+    engine, level = "deletion-restriction", no_faces(len(joined), planes.dimension)
     if set(sides.orientation) <= {1}:  # else two sides are one plane with nothing between
         least = 3 if joined.is_central and not len(sides) else 2  # see `list_regions`
         try:
@@ -177,10 +171,39 @@ def enumerate_regions_inside(planes: Planes, sides: Planes) -> FaceSequence:
             every = enumerate_faces(joined).of_dimension(planes.dimension)
             regions = every.where(np.all(every.signs[:, : len(sides)] > 0, axis=1))
             engine, (level,) = every.engine, regions.levels
-    inside = Level(
-        level.count, lambda at: level.signs(at)[:, len(sides) :], level.points, scalable=False
-    )
-    return FaceSequence(copy(planes), [inside], engine, planes.dimension)
+    return FaceSequence(copy(planes), [_without(level, len(sides))], engine, planes.dimension)
+
+
+def enumerate_faces_inside(
+    planes: Planes, sides: Planes, engine: str | None = None
+) -> FaceSequence:
+    """Return the faces, of every dimension, that meet the positive side of all of some planes.
+
+    Those of all planes together are listed, and those inside are chosen.
+
+    Raises:
+        InputError, OutOfReachError: as `enumerate_faces` and `enumerate_regions_inside`.
+    """
+    every = enumerate_faces(_beside(sides, planes), engine)
+    inside = every.where(np.all(every.signs[:, : len(sides)] > 0, axis=1))
+    levels = [_without(level, len(sides)) for level in inside.levels]
+    return FaceSequence(copy(planes), levels, every.engine)
+
+
+def _beside(sides: Planes, planes: Planes) -> Planes:
+    """Return all planes together, the sides first."""
+    if sides.dimension != planes.dimension:
+        raise InputError(
+            f"inside is in R^{sides.dimension} and the planes are in R^{planes.dimension}; give "
+            "planes of one space"
+        )
+    rows = [*sides.integer_planes, *planes.integer_planes]
+    return Planes([r[:-1] for r in rows], [r[-1] for r in rows], dimension=planes.dimension)
+
+
+def _without(level: Level, sides: int) -> Level:
+    """Return faces of some sides and planes as those of the planes."""
+    return Level(level.count, lambda at: level.signs(at)[:, sides:], level.points, scalable=False)
 
 
 def most_regions(m: int, rank: int, central: bool) -> float:
@@ -214,8 +237,8 @@ def most_faces(m: int, rank: int, central: bool) -> float:
     return bound + central
 
 
-def _check_cost(
-    planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]] | None
+def check_engine(
+    planes: Planes, engine: Engine, count: Callable[[Planes], Sequence[int]] | None = None
 ) -> None:
     """Refuse a list that is out of reach, by a bound where that is enough."""
     factor = work_factor(planes.integer_planes, engine.long)

@@ -162,7 +162,15 @@ def test_regions_bounded_in_the_span_of_the_normals_are_counted(capsys, tmp_path
 def test_members_of_all_families_can_be_made_and_read(capsys):
     _, out, _ = call(capsys, "list", "--families", "--json")
     described = {entry["name"]: entry["description"] for entry in json.loads(out)["names"]}
-    values = {"n": "3", "m": "4", "d": "3", "type": "B3", "planes": "9", "number": "1"}
+    values = {
+        "n": "4",
+        "m": "4",
+        "d": "3",
+        "corners": "5",
+        "type": "B3",
+        "planes": "9",
+        "number": "1",
+    }
     values |= {"graph": "1-2,2-3", "polytope": "demicube", "points": "0,0;1,0;0,2"}
     for name, text in described.items():
         usage = text.split(":")[0].replace("[", "").replace("]", "").split()

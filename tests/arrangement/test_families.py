@@ -381,7 +381,7 @@ def test_members_that_do_not_exist_are_refused(family, given, message):
 
 ODD = ["abc", b"x", 1.5, float("nan"), None, (1, 2), [(0, 1)], {}, -1, -(10**30), 10**30, True]
 ODD += [Fraction(1, 2), 1j, np.array([1, 2]), nx.DiGraph([(0, 1)]), "x" * 5000, "24-cell", int]
-GOOD = {"type": "A3", "graph": "1-2,2-3", "polytope": "cube", "n": 3, "m": 4}
+GOOD = {"corners": 5, "type": "A3", "graph": "1-2,2-3", "polytope": "cube", "n": 3, "m": 4}
 GOOD |= {"points": "0,0;1,0;0,1", "d": 3, "planes": 10, "number": 1}
 
 

@@ -280,7 +280,7 @@ def test_every_built_in_document_reads_and_describes_itself():
     assert set(BUILT_IN) <= set(known)
     for name, path in known.items():
         if name not in ONE_BODY:
-            with pytest.raises(InputError, match="contacts, planes; it has none"):
+            with pytest.raises(InputError, match="contacts, planes, polygon; it has none"):
                 read_arrangement(name)
         elif is_in_space(name):
             with pytest.raises(InputError, match="in space"):
@@ -298,6 +298,7 @@ GOOD = [
     {"planes": PLANES},
     {"planes": PLANES, "offsets": ["1/3", 2]},
     {"planes": [], "dimension": 3, "description": "none"},
+    {"polygon": [["0", 0], [1, 0], [0, "1/2"]], "description": "a triangle"},
 ]
 BAD = [
     {"planes": PLANES, "schema_version": 2},
@@ -312,6 +313,10 @@ BAD = [
     {"planes": PLANES, "dimension": "3"},
     {"planes": PLANES, "description": 1},
     {"offsets": []},
+    {"polygon": [["0", 0], [1, 0]]},
+    {"polygon": [["0", 0], [1, 0], [0]]},
+    {"polygon": [["0", 0], [1, 0], [0, 1]], "planes": PLANES},
+    {"polygon": [["0", 0], [1, 0], [0, 1]], "dimension": 2},
 ]
 
 

@@ -38,8 +38,11 @@ from .graphs import (
 )
 from .points import (
     bisectors as bisectors,
+    complete_bipartite as complete_bipartite,
+    diagonals as diagonals,
     discriminantal as discriminantal,
     lines_through as lines_through,
+    polygon as polygon,
     resonance as resonance,
     separations as separations,
     threshold as threshold,
@@ -68,6 +71,9 @@ FAMILIES: Mapping[str, Callable[..., Arrangement]] = {
             discriminantal,
             lines_through,
             bisectors,
+            polygon,
+            diagonals,
+            complete_bipartite,
             random_integer,
             random_degenerate,
             random_sphere,

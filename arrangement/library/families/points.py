@@ -15,25 +15,21 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
 from arrangement.errors import InputError
-from arrangement.library.arguments import at_least, entries, flag, planned
+from arrangement.library.arguments import at_least, flag, planned
 from arrangement.library.families.classical import sums
 from arrangement.library.families.randoms import random_integer
+from arrangement.library.families.simplicial import regular_corners
 from arrangement.numbers import budget
-from arrangement.numbers.exact import (
-    IntegerVector,
-    RationalVector,
-    dot,
-    primitive,
-    rational_vector,
-    shown,
-    unoriented,
-)
+from arrangement.numbers.exact import IntegerVector, dot, primitive, shown, unoriented
 from arrangement.numbers.linear.rank import determinant
+from arrangement.planes.polygon import convex_polygon, exact_points, line_through
 
 if TYPE_CHECKING:
     Points: TypeAlias = str | Iterable[Iterable[Any]]
+    Corners: TypeAlias = int | Points
 else:  # on a command line a text
     Points = Annotated[Any, Syntax(metavar="X,Y;X,Y;...")]
+    Corners = Annotated[Any, Syntax(metavar="N|X,Y;X,Y;...")]
 
 #: Name of a polytope -> its vertices in R^n.
 _VERTICES: Mapping[str, Callable[[int], Iterator[IntegerVector]]] = {
@@ -124,12 +120,76 @@ def lines_through(points: Points) -> Arrangement:
     >>> lines_through([(0, 0), (1, 0), (0, 1), (2, 3)]).f_vector
     (7, 24, 18)
     """
-    given = _points(points)
+    given = exact_points(points)
     d = len(given[0])
     planned(budget.choose(len(given), d), d)
     vectors = [primitive((*point, Fraction(1))) for point in given]
     rows = dict.fromkeys(unoriented(row) for row in _span(vectors, d + 1) if any(row))
     return Arrangement([row[:-1] for row in rows], [-row[-1] for row in rows], dimension=d)
+
+
+def polygon(corners: Corners) -> Arrangement:
+    """Return the lines of the sides of a convex polygon, with the polygon on the positive sides.
+
+    It says what `Arrangement.pieces` and the option --inside of the commands take as the inside.
+
+    Args:
+        corners: in their order around, such as 0,0;1,0;1/2,2; or N, for a regular N-gon. Its y-axis
+            is stretched by less than 1/1000, so that its coordinates are in the field of
+            cos(2 pi / N): they are rational for N = 3, 4 and 6.
+
+    Known counts: the sides of a regular polygon with n sides, n odd, have n (n + 1) / 2 + 1
+    regions.
+
+    >>> [str(x) for x in polygon(4).vertices()[0].witness], polygon("0,0;1,0;0,1").region_count()
+    (['-2', '0'], 7)
+    """
+    given: Any = corners
+    if isinstance(corners, str) and corners.strip().isdecimal():
+        given = int(corners)
+    if not isinstance(given, str) and not isinstance(given, Iterable):
+        given = regular_corners(at_least(given, 3, "corners"))
+    sides = convex_polygon(given)
+    return Arrangement(sides.normals, sides.offsets)
+
+
+def diagonals(n: int) -> Arrangement:
+    """Return the lines of all diagonals of a regular n-gon, which `polygon` has.
+
+    Known counts: with the sides drawn, the diagonals cut its inside into 1, 4, 11, 24, 50, 80, 154,
+    220, 375, 444 cells for n = 3, 4, ...; and their lines cut its outside into 1, 4, 10, 18, 35,
+    64, 117, 190 cells. Without a polygon the lines are those of `lines_through`, but for the sides.
+    Source: B. Poonen, M. Rubinstein, SIAM Journal on Discrete Mathematics 11 (1998); OEIS A007678
+    and A217745.
+
+    >>> cut = diagonals(6).pieces(polygon(6))
+    >>> cut.inside.cells, cut.outside.cells
+    (24, 18)
+    """
+    n = at_least(n, 3, "n")
+    planned(n * (n - 3) / 2, 2)
+    points = regular_corners(n)
+    pairs = [(i, j) for i, j in combinations(range(n), 2) if 1 < j - i < n - 1]
+    lines = [line_through(points[i], points[j]) for i, j in pairs]
+    return Arrangement([line[:2] for line in lines], [line[2] for line in lines], dimension=2)
+
+
+def complete_bipartite(n: int) -> Arrangement:
+    """Return the lines from each point (0, i) to each point (1, j), for i, j = 0, ..., n - 1.
+
+    Known counts: as segments they are a drawing of the graph K(n, n), which has 0, 2, 12, 40, 96,
+    204, 368, 634 bounded faces for n = 1, 2, ...; with the two missing sides of the rectangle
+    around it 2n - 2 more.
+    Source: S. Legendre, Journal of Integer Sequences 12 (2009); M. Griffiths, the same 13 (2010);
+    OEIS A290131 and A306302.
+
+    >>> complete_bipartite(3).pieces("0,0;1,0;1,2;0,2").inside.cells
+    16
+    """
+    n = at_least(n, 1, "n")
+    planned(n * n, 2)
+    pairs = list(product(range(n), repeat=2))
+    return Arrangement([(i - j, 1) for i, j in pairs], [i for i, _ in pairs])
 
 
 def bisectors(points: Points) -> Arrangement:
@@ -148,29 +208,13 @@ def bisectors(points: Points) -> Arrangement:
     >>> bisectors([(0, 0), (5, 0), (1, 3), (-2, 7)]).f_vector[-1]
     18
     """
-    given = _points(points)
+    given = exact_points(points)
     d = len(given[0])
     planned(comb(len(given), 2), d)
     pairs = list(combinations(given, 2))
     normals = [[2 * (x - y) for x, y in zip(p, q, strict=True)] for p, q in pairs]
     offsets = [dot(p, p) - dot(q, q) for p, q in pairs]
     return Arrangement(normals, offsets, dimension=d)
-
-
-def _points(points: Points) -> list[RationalVector]:
-    """Read points, and refuse those that are not different points of one space."""
-    if isinstance(points, str):
-        points = [[x.strip() for x in point.split(",")] for point in points.split(";")]
-    rows = entries(points, "points", "points")
-    found = [rational_vector(row, f"points[{i}]") for i, row in enumerate(rows)]
-    if not found or len({len(point) for point in found}) > 1 or not found[0]:
-        raise InputError(
-            f"points is {shown(points)}; give points of one space, such as 0,0;1,0;1/2,2"
-        )
-    for i, point in enumerate(found):
-        if point in found[:i]:
-            raise InputError(f"points[{i}] is points[{found.index(point)}] again; give it once")
-    return found
 
 
 def threshold(n: int) -> Arrangement:

@@ -23,10 +23,11 @@ Annals of Combinatorics 26 (2022), table 5, for t and r.
 from __future__ import annotations
 
 import json
+from fractions import Fraction
 from functools import cache
 from importlib.resources import files
 from itertools import accumulate
-from math import gcd
+from math import gcd, pi, sin
 from typing import Any
 
 from arrangement.arrangement import Arrangement
@@ -155,6 +156,16 @@ def mirrors(n: int) -> list[tuple[Any, Any]]:
         else:
             normals.append((-2 * sines[j], cosines[j]))
     return normals
+
+
+def regular_corners(n: int) -> list[tuple[Any, Any]]:
+    """Return the corners of a regular n-gon in R^2, counter-clockwise from (2, 0).
+
+    The y-axis is stretched, by less than 1/1000, so that all are in the field of cos(2 pi / n).
+    """
+    cosines, sines = _multiples(n)
+    height = Fraction(2 * sin(2 * pi / n)).limit_denominator(100)
+    return [(c, height * s) for c, s in zip(cosines, sines, strict=True)]
 
 
 def _multiples(n: int) -> tuple[list[Any], list[Any]]:

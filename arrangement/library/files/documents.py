@@ -11,6 +11,10 @@ powers 1, a, a^2, ... of the root that it names (here the golden ratio)::
     {"schema_version": 1, "planes": [["1", ["0", "1"]]],
      "field": {"minimal_polynomial": ["-1", "-1", "1"], "interval": ["1", "2"]}}
 
+A convex polygon in R^2 is the arrangement of its sides, with it on the positive side of each::
+
+    {"schema_version": 1, "polygon": [["0", "0"], ["1", "0"], ["0", "1"]]}
+
 Packages above this one add further kinds of document that stand for an arrangement
 (`arrangement.console.plugins`).
 """
@@ -33,6 +37,7 @@ from arrangement.library.files.json_files import (
 )
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, bit_size, rational_vector
+from arrangement.planes.polygon import convex_polygon
 
 if TYPE_CHECKING:
     from arrangement.numbers.fields import NumberField
@@ -48,14 +53,36 @@ def arrangement_of(document: Any, name: str) -> Arrangement:
         InputError: for anything that is not exactly a valid document.
     """
     others = added("documents")
-    fields = check_document(document, ["planes", *others], name)
+    fields = check_document(document, ["planes", "polygon", *others], name)
     kind = next((key for key in others if key in fields), None)
-    read: Callable[[Mapping[str, Any]], Arrangement] = named(others[kind]) if kind else _planes
+    own = _polygon if "polygon" in fields else _planes
+    read: Callable[[Mapping[str, Any]], Arrangement] = named(others[kind]) if kind else own
     return read(fields)
 
 
 def _planes(document: Mapping[str, Any]) -> Arrangement:
     check_keys(document, KEYS[:2], KEYS[2:], "the arrangement")
+    numbers = _reader(document)
+    planes = check_list(document["planes"], "planes")
+    lengths = (len(row) for row in planes if isinstance(row, (list, tuple)))
+    budget.check_size(max(lengths, default=0), "coordinates", "planes")
+    return Arrangement(
+        [numbers(row, f"planes[{i}]") for i, row in enumerate(planes)],
+        numbers(document["offsets"], "offsets") if "offsets" in document else None,
+        dimension=_dimension(document["dimension"]) if "dimension" in document else None,
+    )
+
+
+def _polygon(document: Mapping[str, Any]) -> Arrangement:
+    check_keys(document, ("schema_version", "polygon"), KEYS[4:], "the polygon")
+    numbers = _reader(document)
+    corners = check_list(document["polygon"], "polygon")
+    sides = convex_polygon([numbers(p, f"polygon[{i}]") for i, p in enumerate(corners)])
+    return Arrangement(sides.normals, sides.offsets)
+
+
+def _reader(document: Mapping[str, Any]) -> Callable[[Any, str], list[Any]]:
+    """Return what reads a list of numbers, which may be of the field of the document."""
     field = _field(document["field"]) if "field" in document else None
 
     def numbers(value: Any, where: str) -> list[Any]:
@@ -67,14 +94,7 @@ def _planes(document: Mapping[str, Any]) -> Arrangement:
             for i, x in enumerate(given)
         ]
 
-    planes = check_list(document["planes"], "planes")
-    lengths = (len(row) for row in planes if isinstance(row, (list, tuple)))
-    budget.check_size(max(lengths, default=0), "coordinates", "planes")
-    return Arrangement(
-        [numbers(row, f"planes[{i}]") for i, row in enumerate(planes)],
-        numbers(document["offsets"], "offsets") if "offsets" in document else None,
-        dimension=_dimension(document["dimension"]) if "dimension" in document else None,
-    )
+    return numbers
 
 
 def _field(value: Any) -> NumberField:
