@@ -40,6 +40,9 @@ attach(
     {
         "Arrangement.draw": "arrangement.pictures.views:DRAWINGS",
         "Arrangement.identify": "arrangement.library.census:identify",
+        "Arrangement.save": "arrangement.library.files.table:save",
+        "Arrangement.to_polymake": "arrangement.library.files.table:to_polymake",
+        "Arrangement.to_sage": "arrangement.library.files.table:to_sage",
         "Arrangement.lab": "arrangement.pictures.lab.lines:lab_in_notebook",
         "Arrangement._repr_html_": "arrangement.pictures.views:arrangement_html",
         "Arrangement._repr_svg_": "arrangement.pictures.views:arrangement_svg",

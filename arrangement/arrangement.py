@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
@@ -12,9 +11,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from . import counts
+from . import counts, synonyms
 from .console.plugins import attached
-from .console.writing import write_text_atomically
 from .counts import completeness
 from .counts.operations import flat_chart
 from .counts.whitney import f_vector, region_count
@@ -69,19 +67,7 @@ class Arrangement(HintsMixin, Planes):
     """
 
     _synonyms: ClassVar[Mapping[str, str]] = {
-        "chi": "characteristic_polynomial()",
-        "hyperplanes": "len(A), A.normals and A.offsets",
-        "lattice": "intersection_lattice()",
-        "moebius": "counts.moebius(A)",
-        "n_bounded_regions": "bounded_region_count()",
-        "n_hyperplanes": "len(A)",
-        "n_regions": "region_count()",
-        "number_of_regions": "region_count()",
-        "plot": "draw()",
-        "poincare_polynomial": "characteristic_polynomial() or whitney_numbers()",
-        "show": "draw()",
-        "tutte_polynomial": "counts.tutte_polynomial(A)",
-        "zonotope": "dual(), or arrangement.duals.zonohedron.zonotope(generators)",
+        word: name for words in synonyms.ARRANGEMENT.values() for word, name in words.items()
     }
 
     def iter_faces(self, dimension: int | None = None) -> Iterator[Face]:
@@ -401,12 +387,29 @@ class Arrangement(HintsMixin, Planes):
         return dual_zonotope(self, lengths)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the arrangement as a JSON file, whole or not at all; `read_arrangement` reads it.
+        """Write a file, whole or not at all, in the format of its ending.
+
+        `read_arrangement` reads ``.json``, ``.sage``, ``.hyar`` (polymake), ``.txt`` and others.
 
         Raises:
-            InputError: the place cannot be written.
+            InputError: another ending, a format that cannot hold the arrangement, or a place that
+                cannot be written.
         """
-        write_text_atomically(path, json.dumps(self.to_dict(), indent=1) + "\n")
+        attached("Arrangement.save")(self, path)
+
+    def to_sage(self) -> str:
+        """Return the arrangement as source text of SageMath, to be pasted there.
+
+        >>> Arrangement([[1, 0]]).to_sage()
+        'H.<x,y> = HyperplaneArrangements(QQ)\\nA = H(\\n    x,\\n)\\n'
+        """
+        text: str = attached("Arrangement.to_sage")(self)
+        return text
+
+    def to_polymake(self) -> str:
+        """Return the arrangement as a document of polymake, which its ``load`` reads."""
+        text: str = attached("Arrangement.to_polymake")(self)
+        return text
 
     @property
     def p_vector(self) -> dict[int, int]:

@@ -94,6 +94,10 @@ def refusal(
     return InputError(f"{mistake}; {meant}{remedy} {', '.join(names) or 'none'}")
 
 
+#: How alike a misspelt name is to the name that is meant: "zone" and "cone" are less so.
+_ALIKE = 0.8
+
+
 def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> AttributeError:
     """Return the error for an attribute that an object or a module does not have.
 
@@ -108,8 +112,9 @@ def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> 
         what = f"module {owner.__name__!r}"
     hint = ""
     if not name.startswith("_"):  # `copy` and `pickle` look for many of these
-        near = get_close_matches(name, [one for one in dir(owner) if one[0] != "_"], 2)
-        use = synonyms.get(name, " or ".join(near))
+        use = {word.lower(): use for word, use in synonyms.items()}.get(name.lower())
+        names = [known for known in dir(owner) if known[0] != "_"]
+        use = use or " or ".join(get_close_matches(name, names, 2, _ALIKE))
         hint = f"; use {use}" if use else ""
     return AttributeError(f"{what} has no attribute {name!r}{hint}", name=name)
 

@@ -11,7 +11,7 @@ from typing import cast
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.plugins import added, named
-from arrangement.console.writing import document_text
+from arrangement.console.writing import document_text, write_text_atomically
 from arrangement.errors import InputError
 from arrangement.library.files.documents import Format
 from arrangement.library.files.json_files import Source, parse_json, read_text
@@ -150,8 +150,8 @@ def format_of_file(path: str) -> Format:
     ending = Path(path).suffix.lower()
     if ending not in _BY_ENDING:
         raise InputError(
-            f"the file name ends in {shown(ending)}; expected one of {', '.join(_BY_ENDING)}. Or "
-            "write --to NAME; pictures and models are made by arrangement draw"
+            f"the file name ends in {shown(ending)}; expected one of {', '.join(_BY_ENDING)}. "
+            "`arrangement convert --to NAME` takes any ending; `arrangement draw` makes pictures"
         )
     return _BY_ENDING[ending]
 
@@ -168,3 +168,22 @@ def converted(arrangement: Arrangement, form: Format) -> str:
         return form.write(arrangement)
     except InputError as error:
         raise InputError(f"cannot write {form.name}: {error}") from None
+
+
+def save(arrangement: Arrangement, path: str | os.PathLike[str]) -> None:
+    """Write a file in the format that its ending means, whole or not at all.
+
+    Raises:
+        InputError: no format has this ending, or the format cannot hold this arrangement.
+    """
+    write_text_atomically(path, converted(arrangement, format_of_file(os.fspath(path))))
+
+
+def to_sage(arrangement: Arrangement) -> str:
+    """Return the source text of SageMath for an arrangement; errors as for `converted`."""
+    return converted(arrangement, format_named("sage"))
+
+
+def to_polymake(arrangement: Arrangement) -> str:
+    """Return the document of polymake for an arrangement; errors as for `converted`."""
+    return converted(arrangement, format_named("polymake"))
