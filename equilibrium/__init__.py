@@ -87,6 +87,7 @@ _SYNONYMS = {
 attach(
     {
         "Assembly.from_polygons": "equilibrium.grasps.touching:touching_polygons",
+        "Grasp.save": "equilibrium.grasps.inputs.csv_file:table_text",
         "Grasp.draw": "equilibrium.pictures.views:DRAWINGS",
         "Grasp.lab": "equilibrium.pictures.lab.page:lab_in_notebook",
         "Grasp._repr_svg_": "equilibrium.pictures.notebook:grasp_svg",

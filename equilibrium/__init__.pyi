@@ -5,12 +5,8 @@ from .decide.many_grasps.check import CheckedGrasps as CheckedGrasps, check_gras
 from .decide.solver import solve as solve, solve_many as solve_many
 from .decide.verdict import Verdict as Verdict
 from .grasps import inputs as inputs
-from .grasps.files import (
-    read_certificate as read_certificate,
-    read_grasp as read_grasp,
-    verify as verify,
-)
-from .grasps.inputs.documents import read_assembly as read_assembly
+from .grasps.files import read_certificate as read_certificate, verify as verify
+from .grasps.inputs.documents import read_assembly as read_assembly, read_grasp as read_grasp
 from .methods.compare import compare as compare
 from .methods.grasp_wrench_space import GraspWrenchSpace as GraspWrenchSpace
 from .model.assembly import Assembly as Assembly, BodyContact as BodyContact, RigidBody as RigidBody

@@ -26,7 +26,7 @@ import numpy as np
 from arrangement.console.number_form import ReprMixin
 from arrangement.numbers.exact import to_text
 from equilibrium.decide.solver import Solver
-from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError

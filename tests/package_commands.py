@@ -146,7 +146,7 @@ from arrangement.library.census import census
 from arrangement.library.files.table import read_arrangement
 from arrangement.library.instances import paths as arrangements
 from importlib.resources import files
-from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 from equilibrium.grasps.instances import paths as grasps
 from equilibrium.grasps.schemas import grasp_schema
 assert (files("arrangement.library.files") / "arrangement.schema.json").is_file()

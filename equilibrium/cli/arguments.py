@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 import re
 import sys
 from collections.abc import Callable, Iterable, Mapping
@@ -289,10 +288,9 @@ def tell_rounding(conversion: Conversion) -> None:
         print(text, file=sys.stderr)
     for remark in conversion.remarks:
         print(f"note: {remark}", file=sys.stderr)
-    for incidence in conversion.kept[:_MOST_KEPT]:
-        print(f"preserved: {incidence}", file=sys.stderr)
-    if len(conversion.kept) > _MOST_KEPT:
-        print(f"preserved: {len(conversion.kept) - _MOST_KEPT} more", file=sys.stderr)
+    if kept := [*map(str, conversion.kept[:_MOST_KEPT])]:
+        more = len(conversion.kept) - len(kept)
+        print("preserved:", "; ".join(kept + [f"{more} more"] * (more > 0)), file=sys.stderr)
 
 
 def grasp_of(arguments: argparse.Namespace) -> Grasp:
@@ -331,12 +329,12 @@ class Bodies(NamedTuple):
 def bodies_of(arguments: argparse.Namespace) -> Bodies | None:
     """Return the assembly that the arguments name; else None, with what was read as the source."""
     from equilibrium.grasps.files import decimal_text, has_decimals, read_contacts
-    from equilibrium.grasps.inputs.csv_file import read_bodies
+    from equilibrium.grasps.inputs.csv_file import is_table, read_bodies
     from equilibrium.grasps.inputs.documents import with_unit_normals
     from equilibrium.model.assembly import Assembly, wrenches_of
 
     source, preload = arguments.grasp, getattr(arguments, "preload", None)
-    if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
+    if is_table(source):
         table = read_bodies(source, as_given=arguments.as_given)
         if table is None:
             return None

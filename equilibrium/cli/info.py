@@ -207,10 +207,11 @@ def _edges(arguments: argparse.Namespace, grasp: Grasp) -> int:
 def _modes(arguments: argparse.Namespace) -> int:
     """Print the contact modes of a grasp, of an assembly, or of bodies given by normals."""
     from arrangement.library.files.json_files import read_document
+    from equilibrium.grasps.inputs.csv_file import is_table
     from equilibrium.modes import ContactModes
 
     limit, groups = arguments.time_limit, tuple[range, ...]()
-    if str(arguments.grasp).lower().endswith(".csv"):
+    if is_table(arguments.grasp):
         bodies = bodies_of(arguments)
         document = {} if bodies is None else bodies.assembly.to_dict()
     else:

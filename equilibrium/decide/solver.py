@@ -107,7 +107,7 @@ def solve(
     "Completeness" in the documentation of proofs. On random grasps the time is nearly linear in the
     number of contacts.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> solve(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).stable
     True
     >>> solve(read_grasp("two-opposed-fingers"), [0, "3/5", "4/5", 0, 0, 0]).verdict
@@ -156,7 +156,7 @@ def solve_many(
         dask: address of a Dask scheduler whose workers decide.
         pyramid, max_displacement: see `solve`.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> grasp = read_grasp("paper-three-contacts-preload-1")
     >>> [verdict.stable for verdict in solve_many(grasp, [[0, 1, 0], [0, 2, 0]])]
     [True, False]

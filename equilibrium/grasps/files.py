@@ -112,18 +112,6 @@ def read_contacts(
     return check_document(document, expected, name)
 
 
-def read_grasp(source: Source) -> Grasp:
-    """Read a grasp from a path, ``"-"`` (stdin), a built-in name or a mapping.
-
-    Raises:
-        InputError: for anything that is not exactly a valid document.
-
-    >>> len(read_grasp("paper-three-contacts"))
-    3
-    """
-    return Grasp.from_dict(read_contacts(source))
-
-
 def tangential_arrangement(document: Mapping[str, Any]) -> Arrangement:
     """Return the tangential planes of a grasp document: what a grasp means as an arrangement."""
     return Grasp.from_dict(document).tangential_arrangement()

@@ -176,7 +176,7 @@ def compare(
         preloads where such forces exist, and their tangential springs are as stiff as the normal
         ones.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> compare(read_grasp("paper-three-contacts"), [0, -1, 0]).disagreeing
     ('linear-compliance',)
     """

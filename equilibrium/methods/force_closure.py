@@ -74,7 +74,7 @@ def force_closure(grasp: Grasp) -> ForceClosure:
     Raises:
         MissingExtraError: in space, where a cone program has to decide and is not installed.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> bool(force_closure(read_grasp("three-fingers-on-a-ball")))
     True
     >>> [str(x) for x in force_closure(read_grasp("two-opposed-fingers")).free_motion]

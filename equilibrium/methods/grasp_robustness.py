@@ -87,7 +87,7 @@ def contact_robustness(grasp: Grasp) -> RobustnessBound | None:
 
     Source: [Prattichizzo1997].
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> round(contact_robustness(read_grasp("paper-four-contacts-preload-1")).value, 4)
     0.8944
     """

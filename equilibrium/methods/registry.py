@@ -96,7 +96,7 @@ def method_named(key: str) -> Method:
     Raises:
         GraspError: a key that is not in the table.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> method_named("weak").region(read_grasp("paper-three-contacts")).unlimited[0].whole
     True
     """

@@ -54,7 +54,7 @@ class ConeVerdict(Accepting):
 def round_cones(grasp: Grasp, wrench: Iterable[Any]) -> ConeVerdict:
     """Decide with exact linear programs; neither yes nor no where pyramids are inconclusive.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> fingers = read_grasp("two-opposed-fingers")
     >>> round_cones(fingers, [0, 3, 4, 0, 0, 0]).accepts
     True

@@ -105,7 +105,7 @@ def balancing_friction(grasp: Grasp) -> RationalVector | None:
     Where several do, one corner of the set is returned. A grasp that was closed with its preloads
     and stood still has such forces; None says that no such grasp exists.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> [str(x) for x in balancing_friction(read_grasp("paper-three-contacts-preload-1"))]
     ['-1/2', '0', '1/2']
     """

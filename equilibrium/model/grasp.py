@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 # Its facade is loaded when a grasp is asked for its planes; the checker never does.
@@ -379,12 +380,20 @@ class Grasp(HintsMixin):
         return {"schema_version": 1, **stated, "contacts": [c.to_dict() for c in self]}
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the grasp as a JSON file, whole or not at all; `read_grasp` reads it back.
+        """Write a file, whole or not at all, which `read_grasp` reads: ``.json``, or ``.csv``.
 
         Raises:
-            InputError: the place cannot be written.
+            InputError: another ending, a grasp with more than a table holds, or a place that cannot
+                be written.
         """
-        write_text_atomically(path, json.dumps(self.to_dict(), indent=1) + "\n")
+        ending = Path(os.fsdecode(path)).suffix.lower()
+        if ending not in (".json", ".csv"):
+            raise GraspError(f"the file name ends in {shown(ending)}; expected .json or .csv")
+        if ending == ".csv":
+            text: str = attached("Grasp.save")(self)
+        else:
+            text = json.dumps(self.to_dict(), indent=1) + "\n"
+        write_text_atomically(path, text)
 
     @classmethod
     def from_dict(cls, document: Mapping[str, Any]) -> Grasp:

@@ -94,7 +94,7 @@ def least_friction(
     looked at; after the first few ranges few states are left. Without any program where 0 is
     enough.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> found = least_friction(read_grasp("paper-four-contacts-preload-1"), [0, 2, 0], "1/1000")
     >>> found.low < Fraction(1, 2) <= found.high
     True

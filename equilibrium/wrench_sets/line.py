@@ -95,7 +95,7 @@ def resisted_magnitudes(
     error bound; for those that this leaves possible two exact linear programs. Source:
     [HaasHeger2018], the maps of resisted forces, without search.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> resisted_magnitudes(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).intervals
     ((Fraction(0, 1), Fraction(1, 1)),)
     """

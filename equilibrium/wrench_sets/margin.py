@@ -116,7 +116,7 @@ def margin(grasp: Grasp | Solver, wrench: Any) -> Margin:
     Raises:
         OutOfReachError: too many choices of contact states, for its preloads and friction, too.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> margin(read_grasp("paper-three-contacts-preload-1"), [0, "1/2", 0]).around
     (Fraction(0, 1), Fraction(2, 1))
     """
@@ -197,7 +197,7 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
     The preloads of the grasp itself are replaced. A larger preload is not always better, so the
     whole set is returned; its least element is `Preloads.least`.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> sufficient_preloads(read_grasp("paper-three-contacts"), [0, 3, 0]).least
     Fraction(3, 1)
     """
@@ -239,7 +239,7 @@ def chosen_preloads(
         OutOfReachError: too many contacts.
         UndecidedError: an assembly takes more nodes or steps than the limits allow.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> grasp = read_grasp("paper-four-contacts-preload-1")
     >>> found = chosen_preloads(grasp, [[0, 3, 0], [0, -4, 0]], [1, 2, 3, 4])
     >>> found.least, chosen_preloads(grasp, [[0, 2, 0]], [2, 3]).least

@@ -192,7 +192,7 @@ def resisted_region(
 
     Source: [HaasHeger2018], the maps of resisted forces without and with preload, exactly.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> region = resisted_region(read_grasp("paper-three-contacts"))
     >>> [sector.to_dict()["start"] for sector in region.unlimited]
     [['-1', '0']]

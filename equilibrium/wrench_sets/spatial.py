@@ -179,7 +179,7 @@ def spatial_magnitudes(
     Raises:
         GraspError: the direction is zero, or a width below 2^-100.
 
-    >>> from equilibrium.grasps.files import read_grasp
+    >>> from equilibrium import read_grasp
     >>> fingers = read_grasp("two-opposed-fingers")
     >>> spatial_magnitudes(fingers, [0, 1, 0, 0, 0, 0]).borders[0].resisted
     Fraction(1, 1)

@@ -19,7 +19,7 @@ from arrangement.library.census import PUBLISHED, PUBLISHED_SIMPLE, census
 from arrangement.library.families.simplicial import printed_vectors, simplicial, simplicial_entries
 from arrangement.library.published import PublishedCount, published_counts
 from arrangement.numbers.exact import RationalVector, primitive
-from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 from equilibrium.modes import ContactModes
 from proofs_check.routes.contact_modes import mode_counts
 from proofs_check.routes.dual_graph import DualGraph, Edge, Signs as RegionSigns, from_covectors

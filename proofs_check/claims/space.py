@@ -18,7 +18,7 @@ from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.programs import some_point
 from equilibrium.decide.solver import Solver, solve
 from equilibrium.decide.verdict import Verdict
-from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.model.assembly import Assembly, BodyContact
 from equilibrium.model.contact import Contact

@@ -78,7 +78,7 @@ def _view(view: Mapping[str, Any]) -> View:
     """Return a view; the name of a built-in grasp in its instance stands for contacts."""
     instance = dict(view.get("instance", {}))
     if "grasp" in instance:
-        from equilibrium.grasps.files import read_grasp
+        from equilibrium.grasps.inputs.documents import read_grasp
 
         instance = {**read_grasp(instance.pop("grasp")).to_dict(), **instance}
     return View(**{**view, "caption": plain(view["caption"]), "instance": instance or None})

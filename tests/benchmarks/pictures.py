@@ -9,8 +9,8 @@ import tempfile
 from pathlib import Path
 
 from arrangement.library.families import random_integer
-from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 
 #: The default target of a command, in CPU seconds.
 AIM = 3.0

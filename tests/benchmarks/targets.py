@@ -17,8 +17,8 @@ from peers import ours
 from pictures import seconds
 
 from equilibrium import Contact, Grasp
-from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 from equilibrium.grasps.textbook import arch, stack
 
 REFUTED = VERDICTS[False]

@@ -13,7 +13,7 @@ from arrangement.numbers.exact import dot, primitive
 from arrangement.numbers.linear.polyhedron import from_conditions
 from arrangement.numbers.linear.rank import cross
 from equilibrium import Contact, Grasp, ResistedSet, solve
-from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods.form_closure import form_closure
 from equilibrium.model.errors import GraspError

@@ -184,12 +184,11 @@ def test_repr_of_public_objects_is_one_short_line():
     assert "not resisted" in repr(lost)
 
 
-def test_floats_in_a_grasp_file_name_what_converts_them(tmp_path):
+def test_decimals_in_a_grasp_file_are_exact(tmp_path):
     path = tmp_path / "measured.json"
     contact = {"point": [0, 0.02], "normal": [0, 1], "friction": "1/2"}
     path.write_text(json.dumps({"schema_version": 1, "contacts": [contact]}), encoding="utf-8")
-    with pytest.raises(InputError, match=r"0\.02' is a float; .* `equilibrium make floats`"):
-        read_grasp(path)
+    assert read_grasp(path).contacts[0].point == (0, Fraction(1, 50))
     assert read_any(path).grasp.contacts[0].point == (0, Fraction(1, 50))
 
 

@@ -16,7 +16,7 @@ from equilibrium import Contact, Grasp, ResistedSet, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import law_problem, law_rows
 from equilibrium.decide.solver import Solver
-from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 from equilibrium.grasps.instances import paths
 from equilibrium.pictures.body import body, frame_of
 from equilibrium.pictures.lab.page import lab_page

@@ -180,7 +180,7 @@ def test_grasps_in_space_read(files, capsys):
     [
         (["grasps.csv"], "the grasps have no loads"),
         (["grasps.csv", "--wrenches", "grasps.csv"], "the columns are grasp, x"),
-        (["loads.csv", "--wrenches", "loads.csv"], "the first line must name the columns"),
+        (["loads.csv", "--wrenches", "loads.csv"], "the column x is missing"),
         (["grasps.csv", "--weight", "1", "--shorten"], "--shorten is for one body, not for a file"),
         (["grasps.csv", "--weight", "1", "--as-printed", "signs"], "--as-printed is for one body"),
         (["one.csv", "--weight", "1", "--jobs", "2"], "--jobs is for a file of many grasps, not"),

@@ -13,8 +13,8 @@ from equilibrium import CertificateError, Circle, Contact, Grasp, GraspError, Po
 from equilibrium.certificate.checker import check
 from equilibrium.cli.program import main
 from equilibrium.decide.solver import solve
-from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 from equilibrium.grasps.instances import paths
 from equilibrium.grasps.schemas import certificate_schema, grasp_schema
 from tests.schemas import validator

@@ -8,8 +8,8 @@ import pytest
 from arrangement.console import progress
 from equilibrium import Assembly, solve
 from equilibrium.cli.program import main
-from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import random_grasp, read_any
+from equilibrium.grasps.inputs.documents import read_grasp
 from equilibrium.model.labels import AS_ROUNDED
 
 THREE = "paper-three-contacts-preload-1"

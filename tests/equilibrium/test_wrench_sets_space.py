@@ -15,8 +15,8 @@ from arrangement.numbers.linear.rank import cross, rank
 from arrangement.numbers.linear.separation import possibly_meeting, sides, surely_outside
 from equilibrium import Contact, Grasp, ResistedSet, solve
 from equilibrium.decide.solver import Solver
-from equilibrium.grasps.files import read_grasp
 from equilibrium.grasps.inputs import from_float_data
+from equilibrium.grasps.inputs.documents import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.model.errors import GraspError
 from equilibrium.plane.states.contact_states import contact_states

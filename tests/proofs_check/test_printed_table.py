@@ -11,7 +11,7 @@ import pytest
 
 from arrangement import read_arrangement
 from arrangement.cli import main as count
-from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 from proofs_check import Claim, ClaimVerdict, claim, evaluate, registry
 from proofs_check.cli.program import main
 from proofs_check.course.printed_table import check_table

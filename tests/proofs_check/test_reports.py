@@ -19,7 +19,7 @@ import pytest
 
 from arrangement import Arrangement, InputError
 from arrangement.library.families import generic
-from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 from proofs_check import Kind, evaluate, registry
 from proofs_check.cli.program import main
 from proofs_check.reports import forms as pages, report

@@ -15,7 +15,7 @@ from hypothesis import assume, given, strategies as st
 from arrangement import Arrangement, read_arrangement
 from arrangement.console import progress
 from arrangement.library.census import census, identify
-from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 from proofs_check import ClaimVerdict, claim, evaluate
 from proofs_check.cli.program import EXAMPLES, main
 from proofs_check.instances.arrangements import line_cases

@@ -2,12 +2,13 @@
 
 The first line names the columns: ``x``, ``y``, ``normal_x``, ``normal_y``, ``friction``, in space
 also ``z`` and ``normal_z``, and, if wanted, ``stiffness``, ``preload`` and ``adhesion``, in any
-order. They are separated by commas, semicolons or tabs; short names are ``nx``, ``ny``, ``nz``,
-``mu``, ``k`` and ``q``. In the plane ``angle`` may replace the normal: its direction in degrees,
-from the x axis towards the y axis. Engines print ``px``, ``py``, ``pz`` and ``force``, the normal
-force. ``pad`` is that of `conversion.completed`. Empty lines and lines that begin with ``#`` are
-skipped. Numbers are decimals or ratios, as ``-0.25``, ``7/3``. A normal may have any length; one of
-irrational length is replaced by a near unit vector and the error reported.
+order. They are separated by commas, semicolons or tabs; usual names are read, too, such as ``nx``,
+``mu``, ``k``, ``px`` and ``normal_force``, and so are units, as in ``x [m]``, ``x (m)``, ``x_mm``.
+Units are labels: nothing is converted, so they have to fit together. In the plane ``angle`` may
+replace the normal: its direction in degrees, from the x axis towards the y axis. ``pad`` is that of
+`conversion.completed`. Empty lines and lines that begin with ``#`` are skipped. Numbers are
+decimals or ratios, as ``-0.25``, ``7/3``; between semicolons or tabs also ``-0,25``. A normal may
+have any length; one of irrational length is replaced by a near unit vector and the error reported.
 
 A table of an assembly also has ``body_a``, into which the normal points, and ``body_b``; the ground
 is an empty entry or the word ``ground``.
@@ -21,16 +22,20 @@ import os
 import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
+from difflib import get_close_matches
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from arrangement.errors import refusal
 from arrangement.library.files.json_files import read_text
-from arrangement.numbers.exact import rational, shown
+from arrangement.numbers.exact import rational, shown, to_text
 from equilibrium.model.assembly import Assembly, BodyContact
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import ask_contacts
+from equilibrium.model.grasp import Grasp, ask_contacts
+from equilibrium.model.labels import Units
 
 from .conversion import DEFAULT_TOLERANCE, EXTRAS, Conversion, completed, direction_of
 from .incidences import converted
@@ -45,20 +50,49 @@ _ANGLE = "angle"
 BODIES = ("body_a", "body_b")
 GROUND = ("", "ground")
 _KNOWN = (*BODIES, *_REQUIRED, *_IN_SPACE, _ANGLE, *VALUES[1:], *EXTRAS)
-_SHORT = {"nx": "normal_x", "ny": "normal_y", "nz": "normal_z"} | {
-    "mu": "friction",
-    "k": "stiffness",
-    "q": "preload",
-    "force": "preload",
-    "px": "x",
-    "py": "y",
-    "pz": "z",
+#: Usual names of columns; those of coordinates and normals have the letter of an axis.
+_USUAL = {
+    name: column
+    for column, names in {
+        _ANGLE: "normal normal_angle normal_direction theta",
+        "friction": "mu µ μ cof friction_coefficient friction_coeff coefficient_of_friction",
+        "stiffness": "k normal_stiffness spring_constant",
+        "preload": "q force normal_force f_n fn",
+        "tau": "torque moment",
+        BODIES[0]: "body",
+    }.items()
+    for name in names.split()
 }
+_USUAL_AXES = {"": "p pos position point contact", "normal_": "n normal", "f_": "f force"}
+#: A name, and a unit in brackets or, of those known, behind a bar.
+_BRACKETED = re.compile(r"(.*?)\s*[\[(]\s*([^\])]*?)\s*[\])]")
+_SUFFIXED = re.compile(r"(.+)_(mm|cm|m|um|µm|in|ft|N|kN|deg|rad|degrees|radians)", re.IGNORECASE)
+_DEGREES = ("deg", "degree", "degrees", "°", "")
+_FORCES = ("preload", "adhesion", "f_x", "f_y", "f_z")
+#: A decimal as in most languages.
+_COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+(?:[eE][+-]?[0-9]+)?")
 _SEPARATORS = (",", ";", "\t")
+#: Characters in which the first line of a file is looked for.
+_HEAD_SIZE = 2**16
 #: Line numbers, and entries by column.
 Rows: TypeAlias = Iterable[tuple[int, dict[str, str]]]
 #: Makes contacts of points, normals and values by name.
 Convert: TypeAlias = Callable[[list[Any], list[Any], list[dict[str, Any]]], Conversion]
+
+
+def is_table(source: object) -> bool:
+    """Return whether a source is the path of a table: by its ending, or else by its first line."""
+    if not isinstance(source, (str, os.PathLike)):
+        return False
+    path = Path(os.fsdecode(source))
+    if path.suffix.lower() in (".csv", ".tsv"):
+        return True
+    if path.suffix.lower() in ("", ".json") or not path.is_file():
+        return False
+    with path.open(encoding="utf-8", errors="replace") as stream:
+        head = next(_lines(stream.read(_HEAD_SIZE)), "")
+    names = {column_of(name)[0] for name in re.split(r"[,;\t]", head)}
+    return {"x", "y"} <= names
 
 
 def read_csv(
@@ -91,7 +125,8 @@ def parse_csv(text: str, how: Rounding | None = None) -> Conversion:
     >>> conversion.grasp.contacts[0].normal, conversion.exact
     ((Fraction(1, 1), Fraction(0, 1)), True)
     """
-    return read_rows(contact_rows(text), exact_contacts(how))
+    conversion = read_rows(contact_rows(text), exact_contacts(how))
+    return replace(conversion, grasp=replace(conversion.grasp, units=units_of(text)))
 
 
 def read_bodies(
@@ -113,7 +148,7 @@ def read_bodies(
         GraspError: as `read_csv`.
     """
     text = read_text(Path(path))[0]
-    if not re.search(rf"\b{BODIES[0]}\b", next(_lines(text), "")):
+    if BODIES[0] not in map(_name_of, _header(text)):
         return None
     pairs: list[tuple[str, str | None]] = []
     how = rounding(0, tolerance, angle_tolerance, as_given)
@@ -122,7 +157,8 @@ def read_bodies(
         raise GraspError("pad is for one body; leave the column out")
     contacts = [BodyContact(*pair, c) for pair, c in zip(pairs, conversion.grasp, strict=True)]
     names = dict.fromkeys(name for pair in pairs for name in pair if name is not None)
-    return Assembly(names, contacts, data_error=conversion.grasp.data_error), conversion
+    error = conversion.grasp.data_error
+    return Assembly(names, contacts, units_of(text), error), conversion
 
 
 def _lines(text: str) -> Iterator[str]:
@@ -136,7 +172,7 @@ def tangential_arrangement(text: str) -> Arrangement | None:
     Raises:
         GraspError: as `parse_csv`, and where a normal had to be rounded.
     """
-    if not re.search(r"\b(nx|normal_x)\b", next(_lines(text), "")):
+    if not {"normal_x", _ANGLE} & set(map(_name_of, _header(text))):
         return None
     conversion = parse_csv(text)
     if not conversion.exact:
@@ -212,21 +248,82 @@ def _named(line: int) -> Iterator[None]:
         raise GraspError(f"line {line}: {str(error).removeprefix('normals[0]: ')}") from None
 
 
+def _header(text: str) -> list[str]:
+    """Return the entries of the first line."""
+    first = next(_lines(text), "")
+    return first.split(_separator(first))
+
+
+def _separator(line: str) -> str:
+    return max(_SEPARATORS, key=line.count)
+
+
+def column_of(entry: str) -> tuple[str, str | None]:
+    """Return the name of a column, and its unit if the entry states one.
+
+    >>> column_of("x [m]"), column_of("Normal (deg)"), column_of("ny")
+    (('x', 'm'), ('angle', 'deg'), ('normal_y', None))
+    """
+    match = _BRACKETED.fullmatch(entry.strip()) or _SUFFIXED.fullmatch(entry.strip())
+    name, unit = match.groups() if match else (entry.strip(), None)
+    plain = re.sub(r"[\s_-]+", "_", name.lower())
+    usual = _USUAL.get(plain)
+    for prefix, names in _USUAL_AXES.items() if usual is None and plain[-1:] in {*"xyz"} else ():
+        if plain[:-1].rstrip("_") in names.split():
+            usual = f"{prefix}{plain[-1]}"
+    return usual or (plain if match or plain in _KNOWN else name), unit
+
+
+def _name_of(entry: str) -> str:
+    return column_of(entry)[0]
+
+
+def units_of(text: str) -> Units | None:
+    """Return the units of a table, if its first line states those of length and of force.
+
+    Raises:
+        GraspError: units that do not fit together, or angles that are not in degrees.
+    """
+    stated = [(entry.strip(), *column_of(entry)) for entry in _header(text)]
+    known: dict[str, str] = {}
+    for entry, name, unit in stated:
+        kind = _kind(name)
+        if unit and kind and known.setdefault(kind, unit) != unit:
+            raise GraspError(
+                f"the column {shown(entry)} is in {unit}, others in {known[kind]}; nothing is "
+                f"converted, so expected one unit of {kind}"
+            )
+    for entry, name, unit in stated:
+        if name == _ANGLE and unit is not None and unit.lower() not in _DEGREES:
+            raise GraspError(f"the column {shown(entry)} is in {unit}; expected degrees")
+        if name == "stiffness" and unit and len(known) == 2:
+            expected = f"{known['force']}/{known['length']}"
+            if unit.replace(" ", "") != expected:
+                raise GraspError(
+                    f"the column {shown(entry)} is in {unit}; expected {expected}, as the others"
+                )
+    return Units(known["length"], known["force"]) if len(known) == 2 else None
+
+
 def table_rows(text: str, check: Callable[[list[str]], None]) -> Rows:
     """Yield line numbers and entries by column, whose names a function may refuse."""
     lines = ["" if line.lstrip().startswith("#") else line for line in io.StringIO(text)]
     first = next(filter(str.strip, lines), "")
-    reader = csv.reader(lines, delimiter=max(_SEPARATORS, key=first.count), strict=True)
+    separator = _separator(first)
+    reader = csv.reader(lines, delimiter=separator, strict=True)
     try:
         rows = (row for row in reader if any(map(str.strip, row)))
-        header = [_SHORT.get(name.strip(), name.strip()) for name in next(rows, [])]
+        header = [*map(_name_of, next(rows, []))]
         check(header)
         for row in rows:
             if len(row) != len(header):
                 raise GraspError(
                     f"line {reader.line_num} has {len(row)} entries; the header has {len(header)}"
                 )
-            yield reader.line_num, dict(zip(header, (entry.strip() for entry in row), strict=True))
+            entries = [entry.strip() for entry in row]
+            if separator != ",":
+                entries = [x.replace(",", ".") if _COMMA.fullmatch(x) else x for x in entries]
+            yield reader.line_num, dict(zip(header, entries, strict=True))
     except csv.Error as error:
         raise GraspError(f"line {reader.line_num}: {error}") from None
 
@@ -245,18 +342,58 @@ def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:
         required = ("x", "y", _ANGLE, VALUES[0])
     if any(name in header for name in BODIES):
         required = (*BODIES, *required)
+    allowed = (*keys, *(x for x in _KNOWN if x not in BODIES)) if keys else _KNOWN
+    unknown = [name for name in header if name not in allowed]
     missing = [name for name in required if name not in header]
     if missing:
-        where = ", for contacts in space" if in_space else f" (or {_ANGLE}, in degrees)"
+        near = unknown if len(unknown) == 1 else get_close_matches(missing[0], unknown, 1, 0.5)
+        meant = f"; write it for {shown(near[0])}, if that is meant" if near else ""
+        where = "for contacts in space" if in_space else f"or {_ANGLE}, in degrees, for the normal"
+        if _ANGLE in header:
+            where = "with a direction in degrees"
         raise GraspError(
-            f"the first line must name the columns {', '.join(required)}{where}; {missing[0]} is "
-            "missing"
+            f"the column {missing[0]} is missing{meant}. The first line must name "
+            f"{', '.join(required)} ({where})"
         )
-    allowed = (*keys, *(x for x in _KNOWN if x not in BODIES)) if keys else _KNOWN
+    if unknown:
+        mistake = f"the column {shown(unknown[0])} is unknown"
+        raise GraspError(str(refusal(mistake, unknown[0], allowed)))
     for name in header:
-        if name not in allowed:
-            raise GraspError(
-                f"the column {shown(name)} is unknown; expected one of {', '.join(allowed)}"
-            )
         if header.count(name) > 1:
             raise GraspError(f"the column {name} appears twice; keep one")
+
+
+def table_text(grasp: Grasp) -> str:
+    """Return a grasp as a table, which `parse_csv` reads back.
+
+    Raises:
+        GraspError: it has a pad, an outline or a bound on errors, for which a table has no place.
+
+    >>> from equilibrium import Contact
+    >>> print(table_text(Grasp([Contact([1, 0], [-1, 0], "1/2")])), end="")
+    x,y,normal_x,normal_y,friction,stiffness,preload,adhesion
+    1,0,-1,0,1/2,1,0,0
+    """
+    is_there = {
+        "outline": grasp.outline is not None,
+        "data_error": grasp.data_error is not None,
+        "pad": len(grasp.groups) != len(grasp),
+    }
+    if lost := [name for name, value in is_there.items() if value]:
+        raise GraspError(f"the grasp has a {lost[0]}, and a table has none; write .json")
+    stated = {} if grasp.units is None else grasp.units.to_dict()
+    axes = "xyz"[: grasp.dimension]
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    names = [*axes, *(f"normal_{x}" for x in axes), *VALUES]
+    units = [stated.get(_kind(name)) for name in names]
+    table.writerow(f"{x} [{unit}]" if unit else x for x, unit in zip(names, units, strict=True))
+    for contact in grasp:
+        numbers = (*contact.point, *contact.normal, *(getattr(contact, x) for x in VALUES))
+        table.writerow(map(to_text, numbers))
+    return text.getvalue()
+
+
+def _kind(name: str) -> str:
+    """Return what a column measures, where it states units for the others."""
+    return "length" if name in {*"xyz"} else "force" if name in _FORCES else ""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 from collections.abc import Mapping
 from dataclasses import replace
@@ -27,7 +26,7 @@ from .conversion import (
     extras_of,
     unit_normals,
 )
-from .csv_file import read_bodies, read_csv
+from .csv_file import is_table, read_bodies, read_csv
 from .incidences import converted
 from .rounding import rounding
 
@@ -61,8 +60,8 @@ def read_any(
     """Read a grasp from a path, ``"-"`` (stdin), a built-in name or a mapping.
 
     Args:
-        source: a path that ends with ``.csv`` is a table (see `csv_file`), others are documents,
-            or lists of contacts as engines print them (see `conversion.contact_entry`).
+        source: a table, by its ending ``.csv`` or its first line (see `csv_file`); others are
+            documents, or lists of contacts as engines print them (see `conversion.contact_entry`).
         round_normals: replace normals of a document by near unit vectors; those of tables always
             are, and those of documents with decimals or angles.
         angle_tolerance, tolerance, as_given: as in `read_csv`, where normals are rounded.
@@ -73,9 +72,10 @@ def read_any(
     >>> read_any("paper-three-contacts").exact
     True
     """
-    if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
+    if is_table(source):
+        table: Any = source
         return read_csv(
-            source, angle_tolerance=angle_tolerance, tolerance=tolerance, as_given=as_given
+            table, angle_tolerance=angle_tolerance, tolerance=tolerance, as_given=as_given
         )
     document = read_contacts(source, floats=decimal_text)
     contacts = check_list(document["contacts"], "contacts")
@@ -106,6 +106,22 @@ def read_any(
     return completed(conversion.of_points(grasp.spread(conversion.grasp), grasp.groups), extras)
 
 
+def read_grasp(source: Source) -> Grasp:
+    """Read a grasp from a path, ``"-"`` (stdin), a built-in name or a mapping, as commands do.
+
+    A file is a document, or a table with a contact on each line (`inputs.read_csv`). Numbers that
+    have to be rounded, such as normals of irrational length, leave their bounds in
+    `Grasp.data_error`, and verdicts speak of them; `inputs.read_any` returns each error.
+
+    Raises:
+        InputError: for anything that is not a grasp.
+
+    >>> len(read_grasp("paper-three-contacts"))
+    3
+    """
+    return read_any(source).grasp
+
+
 def with_unit_normals(
     document: Mapping[str, Any], *, as_given: bool = False
 ) -> tuple[dict[str, Any], Conversion]:
@@ -132,14 +148,14 @@ def with_unit_normals(
 def read_assembly(source: Source) -> Assembly:
     """Read an assembly from a path, ``"-"`` (stdin) or a mapping; wrenches in it are left out.
 
-    A path that ends with ``.csv`` is a table with a contact in each line, see
-    `csv_file`.
+    A table has a contact on each line, see `csv_file`.
 
     Raises:
         InputError: for anything that is not exactly a valid document or table.
     """
-    if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
-        bodies = read_bodies(source)
+    if is_table(source):
+        table: Any = source
+        bodies = read_bodies(table)
         if bodies is None:
             raise GraspError(f"{source} has no columns body_a and body_b; expected an assembly")
         if not bodies[1].exact:

@@ -9,7 +9,6 @@ ratios.
 
 from __future__ import annotations
 
-import os
 import re
 import sys
 from collections.abc import Iterable, Mapping
@@ -45,7 +44,7 @@ from .conversion import (
     extras_of,
     value_columns,
 )
-from .csv_file import contact_rows, read_rows
+from .csv_file import contact_rows, is_table, read_rows
 from .incidences import check_number, converted
 from .rounding import equal_numbers, rounding
 
@@ -160,7 +159,8 @@ def read_float_data(
         "angle_tolerance": angle_tolerance,
         "as_given": as_given,
     }
-    if isinstance(source, (str, os.PathLike)) and os.fspath(source).lower().endswith(".csv"):
+    if is_table(source):
+        table: Any = source
 
         def convert(
             points: list[Any], normals: list[Any], values: list[dict[str, Any]]
@@ -169,7 +169,7 @@ def read_float_data(
             columns: dict[str, Any] = {name: [row[name] for row in values] for name in names}
             return from_float_data(points, normals, **columns, **options)
 
-        return read_rows(contact_rows(read_text(Path(source))[0]), convert, _number)
+        return read_rows(contact_rows(read_text(Path(table))[0]), convert, _number)
     document = read_contacts(source, "points", floats=float)
     extras: list[dict[str, Any]] = []
     if "contacts" in document:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -14,7 +13,7 @@ from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.parameter import ParametricQuestion
 
-from .csv_file import BODIES, GROUND, contact_rows
+from .csv_file import BODIES, GROUND, contact_rows, is_table
 
 _RANGE = re.compile(r"\s*([A-Za-z]\w*)\s*=\s*(\S+?)\s*\.\.\s*(\S+?)\s*")
 
@@ -45,8 +44,9 @@ def read_parametric(source: Source, letter: str = "t", wrench: Any = None) -> Pa
     Raises:
         InputError: for anything else.
     """
-    if isinstance(source, (str, os.PathLike)) and str(source).lower().endswith(".csv"):
-        document = _of_table(read_text(Path(source))[0])
+    if is_table(source):
+        table: Any = source
+        document = _of_table(read_text(Path(table))[0])
     else:
         document = dict(read_contacts(source, floats=decimal_text))
     if wrench is not None:

@@ -20,8 +20,7 @@ from arrangement.numbers.exact import shown
 from arrangement.pictures.lab.page import LINEAR, RATIONAL, VECTORS, lab, read_exercises
 from arrangement.pictures.lab.widget import lab_widget
 from equilibrium.decide.solver import solve
-from equilibrium.grasps.files import read_grasp
-from equilibrium.grasps.inputs.documents import question_document
+from equilibrium.grasps.inputs.documents import question_document, read_grasp
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench

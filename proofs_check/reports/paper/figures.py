@@ -12,7 +12,7 @@ from arrangement.library.files.table import read_arrangement
 from arrangement.pictures.dual import draw_dual
 from arrangement.pictures.planes import draw_planes
 from equilibrium.decide.solver import solve
-from equilibrium.grasps.files import read_grasp
+from equilibrium.grasps.inputs.documents import read_grasp
 from equilibrium.methods.cones import cones
 from equilibrium.methods.springs import linear_compliance
 from equilibrium.model.grasp import Grasp
