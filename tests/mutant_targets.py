@@ -174,7 +174,6 @@ TARGETS = {
         ("tests/arrangement/test_affine_space.py",),
         24,
     ),
-    "states": Target("equilibrium.plane.states.state_system", STATES, 12),
     "elimination": Target("arrangement.numbers.linear.rank", (PROGRAMS, *SOLVER), 12),
     "pieces": Target("equilibrium.plane.states.equilibrium", STATES, 12),
     "leaves": Target("equilibrium.plane.search.virtual_motions", SEARCH, 12),

@@ -271,6 +271,21 @@ class LinearQuestion:
             preload_slope=Fraction(0),
         )
 
+    def with_load(self, load: RationalVector) -> LinearQuestion:
+        """Return the question of another load, with what is known of the contacts."""
+        other = replace(self, load=load)
+        other.__dict__.update(symbols=self.symbols, _conditions=self._conditions)
+        return other
+
+    @cached_property
+    def at_rest(self) -> LinearQuestion:
+        """The question about d = 0 alone, where springs have their preloads.
+
+        Exact programs are many times faster without stiffness.
+        """
+        contacts = tuple(c._replace(stiffness=Fraction(0)) for c in self.rows)
+        return replace(self, rows=replace(self.rows, contacts=contacts))
+
     def coefficients(self, i: int) -> tuple[Fraction, Fraction | None]:
         """Return the least and the largest friction coefficient of a contact."""
         if self.frictions is None or not self.is_chosen(i):

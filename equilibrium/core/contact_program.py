@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
 from itertools import chain
 from typing import Any, NamedTuple
 
-from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear.intervals import Interval
 from arrangement.numbers.linear.programs import Infeasible, Program
 from equilibrium.core.contact_rows import any_friction_does
@@ -98,9 +99,25 @@ class ContactProgram:
             *chain.from_iterable(c.equal for c in contacts),
             *(Condition(question, line) for line in balance),
         ]
-        rows = ([self._row(x.row) for x in every] for every in (self._least, self._equal))
-        self._rows = next(rows), next(rows)
-        self._program = Program(self.size, *self._rows, deadline)
+
+    @cached_property
+    def inequalities(self) -> list[tuple[int, ...]]:
+        """The rows that are at least 0 at a solution."""
+        return [self._row(x.row) for x in self._least]
+
+    @cached_property
+    def equalities(self) -> list[tuple[int, ...]]:
+        """The rows that are 0 at a solution, those of the balance last."""
+        return [self._row(x.row) for x in self._equal]
+
+    @property
+    def units(self) -> list[int]:
+        """What the equalities are multiplied by, to have integers."""
+        return [x.unit for x in self._equal]
+
+    @cached_property
+    def _program(self) -> Program:
+        return Program(self.size, self.inequalities, self.equalities, self._deadline)
 
     def _row(self, terms: Mapping[Any, int]) -> tuple[int, ...]:
         """Return an expression without symbols, in integers, as a row, constant last."""
@@ -133,7 +150,8 @@ class ContactProgram:
             for i, (normal, rubbed) in enumerate(self.forces)
             if rubbed and question.coefficients(i)[1] is None
         ]
-        least, equal = ([tuple(map(Fraction, row)) for row in rows] for rows in self._rows)
+        both = self.inequalities, self.equalities
+        least, equal = ([tuple(map(Fraction, row)) for row in rows] for rows in both)
         return any_friction_does(self.size, least, equal, forces, self._deadline)
 
     def some_end(self) -> End | None:
@@ -166,10 +184,25 @@ class ContactProgram:
 
     def solution(self) -> Solution | None:
         """Return the solution that the last program ended with; None if there is none."""
-        if (point := self._point()) is None:
-            return None
+        return None if (point := self._point()) is None else self.at(point)
+
+    def at(self, point: RationalVector) -> Solution:
+        """Return the motion and the forces of a solution; its last number is 1."""
         forces = tuple(tuple(self._value(x, point) for x in terms) for terms in self.forces)
         return Solution(point[: self.question.rows.n], forces)
+
+    def holds(self, solution: Solution) -> bool:
+        """Return whether motion and forces are a solution of a program without t."""
+        numbers: dict[Any, Fraction] = {}
+        for i, (normal, *frictions) in enumerate(solution.forces):
+            numbers["normal", i] = normal
+            numbers |= {("friction", i, j): x for j, x in enumerate(frictions)}
+        point = (*solution.motion, *(numbers[force] for force in self._columns), Fraction(1))
+        return (
+            not any(dot(row, point) for row in self.equalities)
+            and all(dot(row, point) >= 0 for row in self.inequalities)
+            and self.at(point).forces == solution.forces
+        )
 
     def leaf(self) -> FarkasLeaf | None:
         """Return the virtual motion and multipliers that show that there is no solution, if so."""
@@ -234,7 +267,7 @@ class ContactProgram:
         equal = [other._carried(x.terms, self) for x in other._equal]
         for mine, theirs in zip(chain(*self.forces), chain(*other.forces), strict=True):
             equal.append(added(mine, other._carried(theirs, self), -1))
-        if not all(self._least_of(times(terms, sign)) == 0 for terms in equal for sign in (1, -1)):
+        if any(low != 0 or high != 0 for low, high in map(self.range_of, equal)):
             return False
         lows = (self._least_of(other._carried(x.terms, self)) for x in other._least)
         return all(low is not None and low >= 0 for low in lows)
@@ -242,9 +275,8 @@ class ContactProgram:
     @property
     def has_one_solution(self) -> bool:
         """Whether all solutions have the same forces."""
-        forces = chain(*self.forces)
-        ends = ((self._least_of(terms), self._least_of(times(terms, -1))) for terms in forces)
-        return all(low is not None and high == -low for low, high in ends)
+        ends = map(self.range_of, chain(*self.forces))
+        return all(low is not None and low == high for low, high in ends)
 
     def is_unloaded(self, i: int) -> bool:
         """Return whether a contact has no force in any solution, of which there are some."""
@@ -275,6 +307,11 @@ class ContactProgram:
             is_friction = isinstance(key, tuple) and key[0] == "friction"
             add(found, into.forces[key[1]][1 + key[2]] if is_friction else {key: ONE}, x)
         return found
+
+    def range_of(self, terms: Terms) -> Interval:
+        """Return the least and the largest value of an expression; None where it has none."""
+        high = self._least_of(times(terms, -1))
+        return self._least_of(terms), None if high is None else -high
 
     def _least_of(self, terms: Terms) -> Fraction | None:
         """Return the least value of an expression; None if there is none."""

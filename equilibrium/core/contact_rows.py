@@ -154,6 +154,14 @@ def over_unit(row: Sequence[Fraction]) -> tuple[list[int], int]:
     return [x.numerator * (unit // x.denominator) for x in row], unit
 
 
+def value(row: RationalVector, point: RationalVector) -> Fraction:
+    """Return the value of a row (constant last) at a point."""
+    # No fraction is reduced on the way.
+    entries, unit = over_unit(row)
+    place, scale = over_unit((*point, Fraction(1)))
+    return Fraction(dot(entries, place), unit * scale)
+
+
 def friction_edges(contact: Contact, pyramid: int = 4) -> tuple[RationalVector, ...]:
     """Return the edges of the friction cone, ``N + friction T`` and ``N - friction T``.
 

@@ -16,12 +16,13 @@ from arrangement.console.progress import watched
 from arrangement.enumeration.paper_steps import ask_steps, published_enumeration
 from arrangement.numbers.exact import RationalVector, to_text
 from arrangement.planes.faces import Face
+from equilibrium.core.contact_law import ContactState, LinearQuestion, State
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import pad_entries
-from equilibrium.plane.states.contact_states import DETACHED, states_of_code
+from equilibrium.plane.states.contact_states import DETACHED, States, states_of_code
 from equilibrium.plane.states.equilibrium import Equilibrium, equilibrium_of, maximal
-from equilibrium.plane.states.state_system import States, state_system
 
 #: Each option with what it takes over from the printed text.
 OPTIONS = {
@@ -91,21 +92,29 @@ def solve_as_printed(
     applied = read_wrench(wrench)
     chosen = tuple(name for name in OPTIONS if name in options)
     posed = grasp.with_preload(0) if "preload" in chosen else grasp
+    question = LinearQuestion(ContactRows.of_grasp(posed), applied)
+    slips = _slips(chosen)
     pieces: list[Equilibrium] = []
     for states in watched(_states(posed, chosen), "contact states"):
-        system = state_system(
-            posed,
-            states,
-            applied,
-            friction_sign=-1 if "signs" in chosen else 1,
-            cell_check="cell-check" not in chosen,
-        )
-        equilibrium = equilibrium_of(system)
+        equilibrium = equilibrium_of(question, states, [slips.get(x, x) for x in states])
         if equilibrium is not None:
             pieces.append(equilibrium)
             if "single-solution" in chosen:
                 break
     return PrintedVerdict(grasp, applied, chosen, maximal(pieces))
+
+
+def _slips(options: tuple[str, ...]) -> dict[str, State]:
+    """Return what the chosen reading takes slips for: where friction pulls, and in which cell."""
+    pull = 1 if "signs" in options else -1
+    return {
+        name: ContactState(
+            "attached",
+            () if "cell-check" in options else ((False, (sign,)),),
+            share=(pull * sign,),
+        )
+        for name, sign in (("slip+", 1), ("slip-", -1))
+    }
 
 
 def _states(grasp: Grasp, options: tuple[str, ...]) -> tuple[States, ...]:

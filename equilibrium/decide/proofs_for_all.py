@@ -23,12 +23,13 @@ from arrangement.numbers.float_filter import Floats
 from equilibrium.certificate.document import Certificate, certificate
 from equilibrium.certificate.robust import Holding, virtual_motion_problem
 from equilibrium.certificate.uncertain import Bounds, root
+from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.model.contact import Contact, radius_squared
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Solution
 from equilibrium.model.subject import Subject, points_of, rows_of
 from equilibrium.plane.states.equilibrium import equilibrium_of
-from equilibrium.plane.states.state_system import state_system
 
 from . import RESISTED
 
@@ -77,8 +78,9 @@ def standing_proof(verdict: Verdict, bounds: Bounds, weakest: Verdict) -> Certif
     if at is None or at.box is not None or many > MAX_STANDING_CONTACTS:
         return None
     if isinstance(subject, Grasp) and subject.dimension == 2:
-        states: Any = ("stick" if x.startswith("slip") else x for x in weakest.states)
-        standing = equilibrium_of(state_system(weakest.grasp, tuple(states), load))
+        states: Any = tuple("stick" if x.startswith("slip") else x for x in weakest.states)
+        question = LinearQuestion(ContactRows.of_grasp(weakest.grasp), load)
+        standing = equilibrium_of(question, states)
         if standing is None:
             return None
         at = Solution(standing.motion, standing.forces)

@@ -6,17 +6,28 @@ equilibria.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
+from itertools import combinations
 
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
-from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive
+from arrangement.numbers.linear.rank import cross, gauss_jordan, rank
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.model.grasp import Grasp
-from equilibrium.plane.states.contact_states import Codes, state_codes, states_at, states_of_code
+from equilibrium.model.rows import ContactRows
+from equilibrium.plane.states.contact_states import (
+    Codes,
+    States,
+    state_codes,
+    states_at,
+    states_of_code,
+)
 from equilibrium.plane.states.equilibrium import Equilibrium, equilibrium_of, maximal
 from equilibrium.plane.states.interval_filter import Screen
-from equilibrium.plane.states.state_system import SingularStates, States, state_system
 
 #: Steps of the exact system of a choice of states, for each contact.
 _STEPS_PER_CONTACT = 700
@@ -62,7 +73,8 @@ class StateChoices:
         """Return an equilibrium of the first choice that has one and that floats can solve."""
         possible = self.screen.possible(wrench) & ~self.screen.singular
         tried = map(states_of_code, self.codes[possible].tolist())
-        pieces = (self._equilibrium(states, wrench) for states in tried)
+        question = self._unloaded.with_load(wrench)
+        pieces = (equilibrium_of(question, states) for states in tried)
         return next((piece for piece in pieces if piece is not None), None)
 
     def may_be_missed(self, wrench: RationalVector) -> bool:
@@ -77,22 +89,78 @@ class StateChoices:
         """
         possible = self.codes[self.screen.possible(wrench)].tolist()
         tried = map(states_of_code, watched(possible, "contact states"))
-        pieces = [piece for states in tried if (piece := self._equilibrium(states, wrench))]
+        question = self._unloaded.with_load(wrench)
+        pieces = [piece for states in tried if (piece := equilibrium_of(question, states))]
         known = {piece.states for piece in pieces}
         for piece in pieces:
             states = states_at(self.grasp, piece.motion)
             if states not in known:
                 known.add(states)
-                further = self._equilibrium(states, wrench)
+                further = equilibrium_of(question, states)
                 if further:
                     pieces.append(further)
         return maximal(pieces)
 
-    def _equilibrium(self, states: States, wrench: RationalVector) -> Equilibrium | None:
-        bound = self.max_displacement
-        return equilibrium_of(state_system(self.grasp, states, wrench, max_displacement=bound))
+    @cached_property
+    def _unloaded(self) -> LinearQuestion:
+        rows, bound = ContactRows.of_grasp(self.grasp), self.max_displacement
+        return LinearQuestion(rows, (Fraction(0),) * 3, max_displacement=bound)
 
     @cached_property
     def _singular(self) -> SingularStates:
         rows = self.codes[self.screen.singular].tolist()
-        return SingularStates(self.grasp, map(states_of_code, rows))
+        return SingularStates(self.grasp, self._unloaded, map(states_of_code, rows))
+
+
+class SingularStates:
+    """Choices of contact states whose systems floats cannot solve."""
+
+    def __init__(self, grasp: Grasp, question: LinearQuestion, choices: Iterable[States]) -> None:
+        self._planes: list[list[IntegerVector]] = []
+        self._bounds: list[list[IntegerVector]] = []
+        for states in choices:
+            planes = _planes(question, states)
+            if planes:
+                self._planes.append(planes)
+            else:
+                self._bounds.append(_bounds(grasp, states))
+
+    def may_hold(self, wrench: RationalVector) -> bool:
+        """Return whether one of them may balance a load; False is exact."""
+        load = primitive((*wrench, Fraction(1)))
+        return any(all(dot(row, load) == 0 for row in rows) for rows in self._planes) or any(
+            all(dot(row, load) >= 0 for row in rows) for rows in self._bounds
+        )
+
+
+def _planes(question: LinearQuestion, states: States) -> list[IntegerVector]:
+    """Return rows that are 0 at all loads, with 1 last, that have these states."""
+    program = ContactProgram(question, states)
+    n = program.size
+    # The balance is last.
+    first = len(program.equalities) - 3
+    rows = [
+        [*row[:n], *(unit * (k == first + j) for j in range(3)), row[n]]
+        for k, (row, unit) in enumerate(zip(program.equalities, program.units, strict=True))
+    ]
+    reduced, pivots, _ = gauss_jordan(rows)
+    return [primitive(row[n:]) for row, pivot in zip(reduced, pivots, strict=False) if pivot >= n]
+
+
+def _bounds(grasp: Grasp, states: States) -> list[IntegerVector]:
+    """Return rows that are at least 0 at all loads, with 1 last, that have these states.
+
+    There are some where the motion is 0: by the planes of two tangential wrenches.
+    """
+    sticking = [c for c, state in zip(grasp, states, strict=True) if state == "stick"]
+    if rank([primitive(c.tangential_wrench) for c in sticking]) < 3:
+        return []
+    rows = []
+    for one, other in combinations(sticking, 2):
+        motion = cross(one.tangential_wrench, other.tangential_wrench)
+        pull = sum(c.friction * c.preload * abs(dot(c.tangential_wrench, motion)) for c in sticking)
+        push = sum(c.preload * dot(c.normal_wrench, motion) for c in sticking)
+        push += dot(grasp.adhesion_wrench, motion)
+        # The load, adhesion, preloads and at most all friction: no work is left over.
+        rows += [primitive((*(s * x for x in motion), s * push + pull)) for s in (1, -1)]
+    return rows

@@ -27,11 +27,11 @@ from equilibrium.core.contact_rows import (
     negated,
     normal_force_row,
     unit_row,
+    value,
 )
 from equilibrium.methods.method import Accepting, Decide, Method, Outcome, cut
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
-from equilibrium.plane.states.state_system import value
 
 #: The point zero as a homogeneous point; also the condition that a homogeneous point is one.
 APEX: IntegerVector = (0, 0, 0, 1)

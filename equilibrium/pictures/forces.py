@@ -21,7 +21,7 @@ from equilibrium.methods.compare import Comparison, check_cost, compare
 from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.plane.states.state_system import States
+from equilibrium.plane.states.contact_states import States
 from equilibrium.wrench_sets import Region
 from equilibrium.wrench_sets.plane import resisted_region
 from equilibrium.wrench_sets.search_map import Entry, search_map

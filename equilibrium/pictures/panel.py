@@ -20,7 +20,7 @@ from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.labels import AS_ROUNDED
-from equilibrium.plane.states.state_system import States
+from equilibrium.plane.states.contact_states import States
 from equilibrium.wrench_sets import Region, Segment, polygon_cycle
 
 from .body import Frame

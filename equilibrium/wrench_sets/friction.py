@@ -28,8 +28,7 @@ from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, chosen_contacts, read_wrench
 from equilibrium.model.rows import ContactRows
-from equilibrium.plane.states.contact_states import contact_states
-from equilibrium.plane.states.state_system import States
+from equilibrium.plane.states.contact_states import States, contact_states
 
 #: Coefficients above this are tried all at once only.
 LARGEST = 2**20

@@ -33,8 +33,7 @@ from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, chosen_contacts, read_wrench
 from equilibrium.model.rows import ContactRows
-from equilibrium.plane.states.contact_states import DETACHED, states_of_code
-from equilibrium.plane.states.state_system import States
+from equilibrium.plane.states.contact_states import DETACHED, States, states_of_code
 
 from .friction import TOLERANCE, FrictionBracket, least_friction
 from .line import ALL, Magnitudes, resisted_magnitudes

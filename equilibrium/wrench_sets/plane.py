@@ -27,7 +27,7 @@ from arrangement.numbers.linear.rank import cross, triple_product
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.plane.states.state_system import States
+from equilibrium.plane.states.contact_states import States
 from equilibrium.wrench_sets.outline import Outline, outline_of
 from equilibrium.wrench_sets.space import (
     Piece,

@@ -36,7 +36,7 @@ from equilibrium.core.contact_rows import (
 )
 from equilibrium.decide.solver import Solver
 from equilibrium.model.grasp import Grasp
-from equilibrium.plane.states.state_system import States
+from equilibrium.plane.states.contact_states import States
 
 #: Above this number, images that are not vertices are left out.
 _MANY = 40

@@ -15,8 +15,10 @@ from typing import Any
 
 from arrangement.numbers.linear.programs import some_point
 from arrangement.numbers.linear.rank import determinant, gauss_jordan
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.decide.solver import Solver, solve
-from equilibrium.plane.states.state_system import StateSystem, state_system
+from equilibrium.model.rows import ContactRows
 from equilibrium.wrench_sets.line import resisted_magnitudes
 from proofs_check.instances import printed
 from proofs_check.instances.grasps import (
@@ -151,9 +153,9 @@ _ATTACHED = Reading(detachment=False)
 
 def _by_null_space(question: Question) -> _Solved:
     """Solve the linear system of each slip state; in the null space where it is singular."""
-    grasp, held, singular = grasp_of(question), [], 0
+    posed, held, singular = ContactRows.of_grasp(grasp_of(question)), [], 0
     for states in oracle.all_states(question, _ATTACHED):
-        system = state_system(grasp, states, question.wrench)  # type: ignore[arg-type]
+        system = ContactProgram(LinearQuestion(posed, question.wrench), states)
         rows, pivots, scale = gauss_jordan(system.equalities)
         free = [j for j in range(system.size) if j not in pivots]
         singular += bool(free)
@@ -163,7 +165,7 @@ def _by_null_space(question: Question) -> _Solved:
 
 
 def _legal_point(
-    system: StateSystem,
+    system: ContactProgram,
     rows: Sequence[Sequence[int]],
     pivots: list[int],
     scale: int,

@@ -18,7 +18,6 @@ from equilibrium.plane.states.contact_states import contact_states, states_at, s
 from equilibrium.plane.states.equilibrium import equilibrium_of
 from equilibrium.plane.states.interval_filter import Screen
 from equilibrium.plane.states.min_norm_point import least_point
-from equilibrium.plane.states.state_system import state_system
 from equilibrium.wrench_sets.line import resisted_magnitudes
 
 from . import oracle
@@ -96,7 +95,8 @@ def assert_true(grasp: Grasp, wrench: tuple, direction: tuple = ()) -> float:
             question = LinearQuestion(ContactRows.of_grasp(grasp), wrench, direction)
             assert ContactProgram(question, states).magnitudes() in (None, (0, 0))
         else:
-            assert equilibrium_of(state_system(grasp, states, wrench)) is None
+            question = LinearQuestion(ContactRows.of_grasp(grasp), wrench)
+            assert equilibrium_of(question, states) is None
     return float((~possible).mean())
 
 

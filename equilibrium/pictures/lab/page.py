@@ -25,7 +25,7 @@ from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.pictures.style import SKETCH_SCRIPT, SKETCH_STYLE, Wrench
-from equilibrium.plane.states.state_system import State
+from equilibrium.plane.states.contact_states import State
 
 
 def resist_page(grasp: Grasp, *, wrench: Wrench | None = None, title: str | None = None) -> str:

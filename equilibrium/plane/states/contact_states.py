@@ -12,7 +12,7 @@ two of them, and of d = 0. They are O(m^2) without preload, O(m^3) with.
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -23,7 +23,8 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector
 from equilibrium.model.grasp import Grasp
 
-from .state_system import State, States
+State: TypeAlias = Literal["detached", "slip+", "slip-", "stick"]
+States: TypeAlias = tuple[State, ...]
 
 #: Rows of contact states as numbers: the sign of ``T . d``, or `DETACHED`.
 Codes: TypeAlias = npt.NDArray[np.int8]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import chain
 from typing import Any
 
 from arrangement.console.number_form import JsonMixin
@@ -16,12 +17,15 @@ from arrangement.numbers.exact import (
     vector_text,
 )
 from arrangement.numbers.linear.intervals import Interval
-from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.core.contact_rows import negated, sum_row, unit_row
+from arrangement.numbers.linear.rank import gauss_jordan, rank
+from equilibrium.core.contact_law import ONE, LinearQuestion, State, Terms
+from equilibrium.core.contact_program import ContactProgram
+from equilibrium.core.contact_rows import unit_row
 from equilibrium.model.errors import GraspError
+from equilibrium.model.solution import Solution
 
+from .contact_states import States
 from .min_norm_point import least_point
-from .state_system import States, StateSystem, each_force, value
 
 
 @dataclass(frozen=True)
@@ -50,11 +54,11 @@ class Equilibrium(JsonMixin):
 
     states: States
     motion: RationalVector
-    forces: tuple[tuple[Fraction, Fraction], ...]
+    forces: tuple[RationalVector, ...]
     unique: bool
     motion_ranges: tuple[Interval, ...]
     force_ranges: tuple[tuple[Interval, Interval], ...]
-    system: StateSystem = field(repr=False, compare=False)
+    program: ContactProgram = field(repr=False, compare=False)
 
     def __repr__(self) -> str:
         return f"<Equilibrium: {' '.join(self.states)}, motion {vector_text(self.motion)}>"
@@ -72,14 +76,7 @@ class Equilibrium(JsonMixin):
             raise GraspError(
                 f"give a motion of 3 numbers and {len(self.states)} pairs (normal, tangential)"
             )
-        sticking = (p for p, state in zip(pairs, self.states, strict=True) if state == "stick")
-        z = (*d, *(tangential for _, tangential in sticking))
-        given = [component for pair in pairs for component in pair]
-        return (
-            all(value(row, z) == 0 for row in self.system.equalities)
-            and all(value(row, z) >= 0 for row in self.system.inequalities)
-            and given == [value(row, z) for row in each_force(self.system)]
-        )
+        return self.program.holds(Solution(d, tuple(pairs)))
 
     def within(self, other: Equilibrium) -> bool:
         """Return whether every solution here is also one of `other` (exact linear programs)."""
@@ -87,44 +84,50 @@ class Equilibrium(JsonMixin):
             return other.contains(self.motion, self.forces)
         if other.unique:
             return False
-        equalities, inequalities = _conditions(self.system, other.system)
-        return all(set(_range(self.system, row)) == {0} for row in equalities) and all(
-            (low := _least(self.system, row)) is not None and low >= 0 for row in inequalities
-        )
+        return self.program.within(other.program)
 
 
-def equilibrium_of(system: StateSystem) -> Equilibrium | None:
-    """Return the solutions of a system as one reported equilibrium; None if there are none.
+def equilibrium_of(
+    question: LinearQuestion, states: States, as_read: Sequence[State] = ()
+) -> Equilibrium | None:
+    """Return the solutions with one choice of states as one equilibrium; None if there are none.
 
-    The number of equalities equals the number of variables. Regular ones leave one point to check;
-    of singular consistent ones the exact linear program decides.
+    Regular equations leave one point to check; of singular consistent ones the exact linear program
+    decides.
+
+    Args:
+        as_read: what the states are taken for in place of the law.
     """
-    n = system.size
-    rows, pivots, scale = gauss_jordan(system.equalities)
+    sticking = [c for c, state in zip(question.rows, states, strict=True) if state == "stick"]
+    if len(sticking) > 2 and rank([primitive(c.tangential_wrenches[0]) for c in sticking]) == 3:
+        question = question.at_rest
+    program = ContactProgram(question, tuple(as_read or states))
+    n = program.size
+    rows, pivots, scale = gauss_jordan(program.equalities)
     if n in pivots:
         return None
-    components = [*(unit_row(j, n) for j in range(3)), *each_force(system)]
+    components: list[Terms] = [*({j: ONE} for j in range(3)), *chain(*program.forces)]
     if len(pivots) == n:
         sign = -1 if scale < 0 else 1
-        point = [*(-sign * row[n] for row in rows), sign * scale]
+        point = [*(-sign * row[n] for row in rows[:n]), sign * scale]
         # In integers over the common denominator: no fraction is reduced on the way.
-        if any(dot(primitive(row), point) < 0 for row in system.inequalities):
+        if any(dot(row, point) < 0 for row in program.inequalities):
             return None
-        z = tuple(Fraction(x, point[n]) for x in point[:n])
-        ranges: list[Interval] = [(x, x) for x in (value(row, z) for row in components)]
+        solution = program.at((*(Fraction(x, point[n]) for x in point[:n]), Fraction(1)))
+        ranges: list[Interval] = [(x, x) for x in chain(solution.motion, *solution.forces)]
     else:
-        if not system.program.feasible:
+        if not program.feasible:
             return None
-        z = _least_solution(system)
-        ranges = [_range(system, row) for row in components]
+        solution = program.at((*_least_solution(program), Fraction(1)))
+        ranges = list(map(program.range_of, components))
     return Equilibrium(
-        system.states,
-        z[:3],
-        tuple((value(c_n, z), value(c_t, z)) for c_n, c_t in system.forces),
+        states,
+        solution.motion,
+        solution.forces,
         all(low == high and low is not None for low, high in ranges),
         tuple(ranges[:3]),
         tuple(zip(ranges[3::2], ranges[4::2], strict=True)),
-        system,
+        program,
     )
 
 
@@ -146,57 +149,16 @@ def maximal(pieces: Sequence[Equilibrium]) -> tuple[Equilibrium, ...]:
     return tuple(kept)
 
 
-def _least_solution(system: StateSystem) -> RationalVector:
-    """Return the solution of least motion, and among those of least tangential forces.
+def _least_solution(program: ContactProgram) -> RationalVector:
+    """Return the unknowns of least motion, and among those of least tangential forces.
 
     The motion fixes the normal forces, so least forces means least tangential ones of the sticking
     contacts.
     """
-    n, inequalities, equalities = system.size, system.inequalities, system.equalities
+    n, inequalities, equalities = program.size, program.inequalities, program.equalities
     variables = [unit_row(j, n) for j in range(n)]
     motion = least_point(n, inequalities, equalities, variables[:3])
     if n == 3:
         return motion
-    fixed = [(*row[:-1], -x) for row, x in zip(variables, motion, strict=False)]
+    fixed: list[Any] = [(*row[:-1], -x) for row, x in zip(variables, motion, strict=False)]
     return (*motion, *least_point(n, inequalities, (*equalities, *fixed), variables[3:]))
-
-
-def _least(system: StateSystem, row: RationalVector) -> Fraction | None:
-    """Return the least value of a row over the solutions; None if there is none."""
-    least = system.program.least(row[:-1])
-    return None if least is None else least + row[-1]
-
-
-def _range(system: StateSystem, row: RationalVector) -> Interval:
-    low = _least(system, row)
-    high = _least(system, negated(row))
-    return low, None if high is None else -high
-
-
-def _conditions(
-    inner: StateSystem, outer: StateSystem
-) -> tuple[list[RationalVector], list[RationalVector]]:
-    """Return the conditions of `outer` as rows in the variables of `inner`.
-
-    The variables of `outer` are the motion and the tangential forces of its sticking contacts,
-    each of which is a row in the variables of `inner`; besides, all forces have to agree.
-    """
-    n = inner.size
-    images = [unit_row(j, n) for j in range(3)]
-    images += [
-        pair[1] for pair, state in zip(inner.forces, outer.states, strict=True) if state == "stick"
-    ]
-
-    def carried(row: RationalVector) -> RationalVector:
-        combined: RationalVector = (*[Fraction(0)] * n, row[-1])
-        for factor, image in zip(row[:-1], images, strict=True):
-            if factor:
-                combined = sum_row(combined, image, factor)
-        return combined
-
-    agree = [
-        sum_row(mine, carried(theirs), -1)
-        for mine, theirs in zip(each_force(inner), each_force(outer), strict=True)
-    ]
-    equalities = [*map(carried, outer.equalities), *agree]
-    return equalities, [carried(row) for row in outer.inequalities]

@@ -20,7 +20,7 @@ from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear import programs
 from arrangement.numbers.linear.rank import gauss_jordan
 
-Rows: TypeAlias = Sequence[RationalVector]
+Rows: TypeAlias = Sequence[Sequence[Fraction | int]]
 
 
 @dataclass
