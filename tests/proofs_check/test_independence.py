@@ -160,7 +160,7 @@ RUNS = {
     "method": ["equilibrium/methods/grasp_robustness.py"],
     "minors": ["proofs_check/routes/rigid_loads.py: within_bound"],
     "networkx": ["proofs_check/claims/dual.py: _planar_by_networkx"],
-    "null_space": ["equilibrium/plane/"],
+    "null_space": ["equilibrium/core/contact_program.py"],
     "planes": ["proofs_check/claims/sphere.py: _edge_counts_by_supports"],
     "qhull": ["arrangement/duals/inscribed/hull.py"],
     "regions": ["arrangement/enumeration/"],
