@@ -10,6 +10,7 @@ friction there has a rational direction.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
@@ -58,7 +59,11 @@ class ExactParts:
         max_displacement: Fraction | None = None,
     ) -> None:
         self.rows, self.effort = contacts.rows, effort
-        self.question = LinearQuestion(contacts.rows, wrench, max_displacement=max_displacement)
+        # Adhesion is a part of the load here.
+        rows = replace(
+            self.rows, contacts=tuple(c._replace(adhesion=Fraction(0)) for c in self.rows)
+        )
+        self.question = LinearQuestion(rows, wrench, max_displacement=max_displacement)
         self.base = pyramid_edges(_FIRST_SIDES)
 
     def part(self, states: Sequence[TreeState], towards: Floats) -> Solution | dict[str, Any]:
