@@ -6,7 +6,7 @@ import os
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -31,7 +31,7 @@ from .numbers.exact import shown, vector_text
 from .planes.faces import Face
 from .planes.identification import Identification
 from .planes.planes import Planes
-from .planes.polygon import convex_polygon
+from .planes.polygon import Inside, bounding_planes
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -39,9 +39,6 @@ if TYPE_CHECKING:
 
     from .drawing.path_artist import Drawing
     from .duals.zonotope import Zonotope
-
-#: A convex polyhedron: planes with it on the positive side, a region, or corners of a polygon.
-Inside: TypeAlias = Planes | Face | str | Iterable[Iterable[Any]]
 
 
 class Arrangement(HintsMixin, Planes):
@@ -96,7 +93,7 @@ class Arrangement(HintsMixin, Planes):
         if engine is None and type(dimension) is int and dimension == self.dimension:
             return self.regions(inside)
         if inside is not None:
-            faces = enumerate_faces_inside(self, _sides(inside), engine)
+            faces = enumerate_faces_inside(self, bounding_planes(inside), engine)
         else:
             faces = self._faces if engine is None else enumerate_faces(self, engine, f_vector)
         return faces if dimension is None else faces.of_dimension(dimension)
@@ -124,7 +121,7 @@ class Arrangement(HintsMixin, Planes):
         """
         if inside is None:
             return self._regions
-        return enumerate_regions_inside(self, _sides(inside))
+        return enumerate_regions_inside(self, bounding_planes(inside))
 
     @cached_property
     def _regions(self) -> FaceSequence:
@@ -163,7 +160,7 @@ class Arrangement(HintsMixin, Planes):
         >>> cut.inside.vertices, cut.inside.edges, cut.inside.cells, cut.outside.cells
         (1, 4, 4, 4)
         """
-        return cut(self, _sides(inside))
+        return cut(self, bounding_planes(inside))
 
     def face_at(self, point: Iterable[Any]) -> Face:
         """Return the face that contains a point of R^d."""
@@ -536,14 +533,3 @@ class Arrangement(HintsMixin, Planes):
         """Return what a notebook shows where there is no picture: a table of counts."""
         text: str | None = attached("Arrangement._repr_html_")(self)
         return text
-
-
-def _sides(inside: Inside) -> Planes:
-    """Return the planes that bound a polyhedron, with it on the positive side of each."""
-    if isinstance(inside, Face):
-        return inside.sides
-    if not isinstance(inside, (Planes, Iterable)):
-        raise InputError(
-            f"inside is {shown(inside)}; give planes, a region of some, or corners of a polygon"
-        )
-    return inside if isinstance(inside, Planes) else convex_polygon(inside)

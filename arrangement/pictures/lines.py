@@ -14,12 +14,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from operator import ne
-from typing import Any
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
+from arrangement.console.options.signature import Syntax
 from arrangement.drawing.colours import (
     BLUE,
     PALETTE,
@@ -43,6 +44,7 @@ from arrangement.drawing.solids.flat_polygons import between, clipped
 from arrangement.drawing.views import Corner
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError, refusal
+from arrangement.library.files.table import read_arrangement
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -74,6 +76,13 @@ from arrangement.pictures.names import (
     swatch,
     vertex_symbol,
 )
+from arrangement.planes.planes import Planes
+from arrangement.planes.polygon import Inside, bounding_planes
+
+if TYPE_CHECKING:
+    PolygonFile: TypeAlias = Inside
+else:  # on a command line a file
+    PolygonFile = Annotated[Any, Syntax(read_arrangement, "POLYGON")]
 
 #: The direction from which the cone is seen: the plane of the lines is at height 1 above it.
 ABOVE = (0, 0, 1)
@@ -211,7 +220,7 @@ class LinesChart:
     most vertices are at a distance below 1.
 
     Attributes:
-        lines: the arrangement.
+        lines: the arrangement; its first `count` lines have names.
         half: exact half sides of the window.
         middle, unit: a point p of the plane is at ``(p - middle) / unit``, in floats.
         left_out: how many far crossings the window leaves out.
@@ -221,7 +230,7 @@ class LinesChart:
 
     def __init__(self, lines: Arrangement, window: Sequence[RationalVector] = ()) -> None:
         """Take lines, and opposite corners of the window, if it is not to be chosen."""
-        self.lines = lines
+        self.lines, self.count = lines, len(lines)
         chosen = LineWindow.between(lines, window) if window else LineWindow.of(lines)
         self.left_out, unit = chosen.left_out, chosen.unit
         self.half = [x / unit for x in chosen.half]
@@ -295,8 +304,7 @@ class LinesChart:
 
     def vertex(self, vertex: int) -> Floats:
         """Return the place of a vertex."""
-        x, y, w = self.sphere.ray(vertex)
-        return np.array([x / w, y / w])
+        return _places([self.sphere.ray(vertex)]).reshape(2)
 
     def line(self, label: int) -> Floats:
         """Return the ends of a class of lines at the boundary of the window, (2, 2)."""
@@ -329,14 +337,44 @@ class LinesChart:
         return Drawn(self.sphere, self.globe.points, self.globe.normals, stereographic)
 
 
+class PolygonChart(LinesChart):
+    """The faces of lines and of the sides of a polygon, in a window around the polygon.
+
+    The sides come after the lines, whose numbers stay.
+    """
+
+    def __init__(
+        self, lines: Arrangement, sides: Planes, window: Sequence[RationalVector] = ()
+    ) -> None:
+        """Take the sides of a polygon, with it on the positive side of each."""
+        corners = Arrangement(sides.normals, sides.offsets).regions(sides)
+        if not len(corners):
+            raise InputError(
+                "nothing is on the positive side of all sides; give those of a polygon"
+            )
+        if not window:
+            vertices = [tuple(map(rational_near, p)) for p in corners[0].vertices]
+            middle, half = _around(vertices)
+            window = [tuple(m + s * h for m, h in zip(middle, half, strict=True)) for s in (-1, 1)]
+        rows = [*lines.integer_planes, *sides.integer_planes]
+        super().__init__(Arrangement([r[:-1] for r in rows], [r[-1] for r in rows]), window)
+        self.count = len(lines)
+
+    def is_inside(self, signs: Sequence[int], closed: bool = False) -> bool:
+        """Return whether a face is in the interior of the polygon, or in it with its boundary."""
+        return min(signs[self.count :], default=1) >= (not closed)
+
+
 def _places(points: Iterable[IntegerVector]) -> Floats:
-    return np.array([[x / w, y / w] for x, y, w in points]).reshape(-1, 2)
+    return np.array([[float(x / w), float(y / w)] for x, y, w in points]).reshape(-1, 2)
 
 
 #: Room around the window for the names of the lines, in points.
 MARGIN = 14.0
 FACES = ("regions", "all")
 _BOUNDED, _UNBOUNDED = PALETTE[2], "#ffffff"
+#: Of lines outside of a polygon.
+_OUTSIDE = "#c8c8c8"
 _LINE: dict[str, Any] = {"ec": "black", "zorder": 3, "role": "circle"}
 #: Widths of up to so many lines in points, and of very many.
 _WIDTH, _FEW, _THIN = 0.9, 9, 0.25
@@ -349,11 +387,12 @@ def draw_lines(
     projective: bool = False,
     faces: str = "regions",
     labels: Labels | None = None,
-    colour: Choice = "bounded",
+    colour: Choice | None = None,
     sides: bool = False,
     width: float = 88.0,
     coordinates: str | None = None,
     window: Iterable[Corner] = (),
+    inside: PolygonFile | None = None,
 ) -> Scene:
     """Draw lines of the plane in a window with their vertices, or in the projective plane.
 
@@ -365,8 +404,12 @@ def draw_lines(
     projection, so that lines are arcs of circles. The rim is the line at infinity. Opposite points
     of it are one point; so the ends of a line have one name. A dot is where parallel lines meet.
 
+    With `inside` only what is in a convex polygon has colours and labels, and the lines are pale
+    outside of it.
+
     Elements: ``region-3``, ``line-2`` for a class of coincident lines, ``vertex-5``; in the disc
-    ``front-2-7`` for edges of line 2, ``limb-1`` for the rim, ``infinity-4`` for the dots.
+    ``front-2-7`` for edges of line 2, ``limb-1`` for the rim, ``infinity-4`` for the dots; of a
+    polygon ``border`` for its sides, ``outside-2`` for what is pale.
 
     Args:
         arrangement: of rank at most 2; in another space than R^2 its essentialisation.
@@ -375,32 +418,43 @@ def draw_lines(
         labels: "signs"; "numbers" for regions in the order of `Arrangement.regions`, with a table
             of sign vectors below; "none". If omitted, signs of up to four lines, or of all faces,
             else numbers, with the table for up to 24 regions.
-        colour: "bounded" (bounded regions are tinted), or as for `draw_sphere`.
+        colour: "bounded" (bounded regions are tinted), or as for `draw_sphere`; if omitted,
+            bounded, or inside of a polygon sides.
         sides: at each line, an arrow to its positive side.
         coordinates: "symmetric" or "given"; if omitted, the lines of a root system of rank 2, all
             roots with the same offsets, have its angles. This changes no sign vector.
         window: two opposite corners of what is shown, exact; coordinates are those given then.
+        inside: a polygon, or lines that have it on their positive sides; on a command line a file.
 
     Raises:
-        InputError: rank 3 or more, too many lines, unknown faces, labels or colouring.
+        InputError: rank 3 or more, too many lines, unknown faces, labels or colouring; a polygon
+            with another choice that it does not go with.
     """
     if faces not in FACES:
         raise refusal(f"the faces are {shown(faces)}", faces, FACES)
     everything = faces == "all"
     if everything and labels == "numbers":
         raise InputError("numbers are for regions only; with all faces, labels are signs or none")
+    if inside is not None and (everything or projective):
+        raise InputError("inside of a polygon only regions are named, and nothing is at infinity")
     kind = "signs" if everything and labels is None else labels
     names = RegionLabels(arrangement, kind if len(arrangement) else "none", items="lines")
     corners = [rational_vector(corner, "window") for corner in window]
-    if corners:
+    if corners or inside is not None:
         if coordinates not in (None, "given") or projective:
-            raise InputError("a window is one of given coordinates, without the line at infinity")
-        if [*map(len, corners)] != [2, 2] or not all(map(ne, *corners)):
+            raise InputError(
+                "a window or polygon is one of given coordinates, without the line at infinity"
+            )
+        if corners and ([*map(len, corners)] != [2, 2] or not all(map(ne, *corners))):
             raise InputError("the window has two opposite corners, such as -1,-1 2,3")
         coordinates = "given"
     drawn, moved = in_coordinates(coordinates, arrangement)[0], point_map(coordinates, arrangement)
-    chart = LinesChart(drawn, corners)
-    sheet = (_DiscSheet if projective else _WindowSheet)(chart, width, names, colour)
+    if inside is None:
+        made = _DiscSheet if projective else _WindowSheet
+        sheet: _Sheet = made(LinesChart(drawn, corners), width, names, colour or "bounded")
+    else:
+        chart = PolygonChart(drawn, bounding_planes(inside), corners)
+        sheet = _PolygonSheet(chart, width, names, colour or "sides")
     if sides:
         sheet.mark_sides()
     if everything and names.kind == "signs":
@@ -432,13 +486,15 @@ class _Sheet:
         self, chart: LinesChart, width: float, names: RegionLabels, colour: Choice
     ) -> None:
         self.chart, self.names, self.missing = chart, names, Counter()
-        self.regions = [DrawnRegion(s, chart.sides[s]) for s in chart.regions.values()]
+        drawn = map(self.drawn_region, chart.regions.values())
+        self.regions = [region for region in drawn if region is not None]
         bounded = chart.bounded
         if colour == "bounded":
             fill = {True: _BOUNDED, False: _UNBOUNDED}
             self.colours = Colouring(lambda r: fill[r.signs in bounded], colour)
         else:
-            self.colours = colouring(colour, self.regions, (), chart.lines.firsts)
+            firsts = [k for k in chart.lines.firsts if k < chart.count]
+            self.colours = colouring(colour, self.regions, (), firsts)
         self.paint = self.colours.paint
         self.lines: list[Floats] = []
         self.outlines: list[tuple[DrawnRegion, Floats]] = []
@@ -447,6 +503,10 @@ class _Sheet:
         self.arms: list[Floats] = []
         self.rim: list[Floats] = []
         self.draw(width)
+
+    def drawn_region(self, signs: tuple[int, ...]) -> DrawnRegion | None:
+        """Return a region as it is coloured and named, None if it is not."""
+        return DrawnRegion(signs, self.chart.sides[signs])
 
     def draw(self, width: float) -> None:
         """Draw regions, lines, and the names of lines."""
@@ -518,6 +578,7 @@ class _Sheet:
             sides = {
                 np.sign(float(whole.integer_planes[k][:3] @ self.plane(start + left)))
                 for k in members
+                if k < self.chart.count
             }
             for side in sorted(sides):
                 tip = start + 9 * side * left
@@ -540,7 +601,7 @@ class _WindowSheet(_Sheet):
     def draw(self, width: float) -> None:
         chart = self.chart
         x, y = (float(half) for half in chart.half)
-        names = [plane_names(members) for members in chart.lines.distinct]
+        names = [plane_names(members, chart.count) for members in chart.lines.distinct]
         trial = Scene(width, 10.0)
         margin = max([MARGIN, *(trial.measure(name)[0] + 5 for name in names)])
         room = trial.width - 2 * margin
@@ -559,12 +620,15 @@ class _WindowSheet(_Sheet):
             )
         outside = 0
         for r, signs in chart.regions.items():
-            region, outline = DrawnRegion(signs, chart.sides[signs]), at(chart.outline(r))
-            if len(outline) < 3:
-                outside += 1
+            region, outline = self.drawn_region(signs), at(chart.outline(r))
+            if region is None or len(outline) < 3:
+                outside += region is not None
                 continue
             self.scene.polygon(
-                outline, fc=self.paint(region), ec="none", gid=self.names.element("region", signs)
+                outline,
+                fc=self.paint(region),
+                ec="none",
+                gid=self.names.element("region", region.signs),
             )
             self.outlines.append((region, outline))
         if outside:
@@ -575,23 +639,19 @@ class _WindowSheet(_Sheet):
         self.vertices = {v: at(p) for v, p in places.items() if (np.abs(p) <= (x, y)).all()}
         for label in range(len(names)):
             ends = at(chart.line(label))
-            self.lines.append(ends if len(ends) == 2 else np.empty((0, 2)))
+            is_line = len(ends) == 2 and chart.lines.firsts[label] < chart.count
+            self.lines.append(ends if is_line else np.empty((0, 2)))
             if len(ends) < 2:
                 continue
-            self.scene.line(
-                ends,
-                lw=max(_THIN, _WIDTH * min(1.0, (_FEW / len(names)) ** 0.75)),
-                gid=f"line-{chart.lines.firsts[label] + 1}",
-                capstyle="butt",
-                **_LINE,
-            )
+            thick = max(_THIN, _WIDTH * min(1.0, (_FEW / len(names)) ** 0.75))
+            self.draw_line(label, ends, thick)
         drawn = [label for label, ends in enumerate(self.lines) if len(ends)]
 
         def apart(one: int, other: int) -> float:
             return _apart(self.lines[drawn[one]], self.lines[drawn[other]])
 
         seen = [chart.lines.distinct[label] for label in drawn]
-        texts = names_on_paper(self.scene.legend, self.names, seen, apart, _WIDTH)
+        texts = names_on_paper(self.scene.legend, self.names, seen, apart, _WIDTH, chart.count)
         for k, text in texts.items():
             self._name(self.lines[drawn[k]], text)
 
@@ -602,6 +662,11 @@ class _WindowSheet(_Sheet):
         scale, middle = self.scale / self.chart.unit, self.chart.middle
         self.scene.maps.append(PageMap(scale, self.centre - scale * middle, moved))
 
+    def draw_line(self, label: int, ends: Floats, thick: float) -> None:
+        """Draw a class of lines, from one end in the window to the other."""
+        name = f"line-{self.chart.lines.firsts[label] + 1}"
+        self.scene.line(ends, lw=thick, gid=name, capstyle="butt", **_LINE)
+
     def _name(self, ends: Floats, text: str) -> None:
         """Write the name of a line beyond one of its ends, where there is more room."""
         ways = ends - ends[::-1]
@@ -609,6 +674,39 @@ class _WindowSheet(_Sheet):
         places = beyond(ends, ways, (2.5, 5.5, 8.5))
         self.missing["lines"] += not write_if_free(
             self.scene, [text], SIZES[:1], places, style="italic"
+        )
+
+
+class _PolygonSheet(_WindowSheet):
+    """A window around a convex polygon, outside of which lines are pale."""
+
+    chart: PolygonChart
+
+    def drawn_region(self, signs: tuple[int, ...]) -> DrawnRegion | None:
+        region = DrawnRegion(signs[: self.chart.count], self.chart.sides[signs])
+        return region if self.chart.is_inside(signs) else None
+
+    def draw_line(self, label: int, ends: Floats, thick: float) -> None:
+        chart, number = self.chart, self.chart.lines.firsts[label] + 1
+        if number <= chart.count:
+            look = {**_LINE, "ec": _OUTSIDE, "zorder": 2}
+            self.scene.line(ends, lw=thick, gid=f"outside-{number}", capstyle="butt", **look)
+        own = [arc for arc in self.edges if int(chart.incidence.arc_circle[arc]) == label]
+        closed = [arc for arc in own if chart.is_inside(chart.edges[arc], closed=True)]
+        if not closed:
+            return
+        points = np.concatenate([self.edges[arc] for arc in closed])
+        part = points[np.argsort(points @ (ends[1] - ends[0]))[[0, -1]]]
+        if chart.is_inside(chart.edges[closed[0]]):
+            super().draw_line(label, part, thick)
+        else:
+            look = {"ec": "black", "zorder": 3.2, "capstyle": "round", "role": "border"}
+            self.scene.line(part, lw=1.5, gid="border", **look)
+
+    def explain(self) -> None:
+        super().explain()
+        self.scene.legend.line(
+            f"{counted(len(self.regions), 'cell')} inside; lines are pale outside"
         )
 
 

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeAlias
 
 from arrangement.errors import InputError
 from arrangement.numbers.exact import dot, rational_vector, shown, sign
 from arrangement.numbers.symbolic import entry, in_one_field, listed
 
+from .faces import Face
 from .planes import Planes
+
+#: A convex polyhedron: planes with it on the positive side, a region, or corners of a polygon.
+Inside: TypeAlias = Planes | Face | str | Iterable[Iterable[Any]]
 
 
 def exact_points(points: str | Iterable[Iterable[Any]]) -> list[tuple[Any, ...]]:
@@ -65,3 +69,14 @@ def convex_polygon(corners: str | Iterable[Iterable[Any]]) -> Planes:
         f"the corners {shown(corners)} are not those of a convex polygon in their order around it; "
         "a polygon that is not convex is cut into convex ones"
     )
+
+
+def bounding_planes(inside: Inside) -> Planes:
+    """Return the planes that bound a polyhedron, with it on the positive side of each."""
+    if isinstance(inside, Face):
+        return inside.sides
+    if not isinstance(inside, (Planes, Iterable)):
+        raise InputError(
+            f"inside is {shown(inside)}; give planes, a region of some, or corners of a polygon"
+        )
+    return inside if isinstance(inside, Planes) else convex_polygon(inside)

@@ -10,6 +10,7 @@ from sympy import sqrt
 
 from arrangement import Arrangement, InputError, families, read_arrangement
 from arrangement.cli import main
+from arrangement.pictures.lines import draw_lines
 from arrangement.planes.polygon import convex_polygon
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -304,3 +305,47 @@ class TestCommand:
             with pytest.raises(InputError):
                 read_arrangement({"schema_version": 1, "polygon": polygon})
         capsys.readouterr()
+
+
+class TestPicture:
+    @pytest.mark.parametrize("n", [4, 5, 6])
+    def test_lines_are_whole_inside_and_pale_outside(self, n):
+        lines = families.diagonals(n)
+        scene = draw_lines.scene(lines, inside=families.polygon(n), labels="none")
+        drawn = [item.name for item in scene.items if item.name]
+        for kind, count in (("line", len(lines)), ("outside", len(lines)), ("border", n)):
+            assert sum(name.startswith(kind) for name in drawn) == count
+        cells = lines.pieces(families.polygon(n)).inside.cells
+        assert sum(name.startswith("region") for name in drawn) == cells
+        assert f"{cells} cells inside; lines are pale outside" in dict(scene.legend.lines)
+
+    def test_parts_inside_end_at_the_polygon(self):
+        lines = Arrangement([[1, 0], [1, 0], [0, 1]], [1, 3, 0])
+        scene = draw_lines.scene(lines, inside=SQUARE)
+        (inner,) = (item for item in scene.items if item.name.startswith("line-"))
+        page = scene.maps[0]
+        ends = sorted(tuple(round(x, 6) for x in page.back(p)) for p in inner.points)
+        assert (inner.name, ends) == ("line-1", [(1, 0), (1, 2)])
+        assert [item.name for item in scene.items].count("border") == 4
+
+    def test_choices_that_do_not_go_with_it_are_refused(self):
+        lines = families.diagonals(4)
+        for options in ({"faces": "all"}, {"projective": True}, {"coordinates": "symmetric"}):
+            with pytest.raises(InputError):
+                draw_lines.scene(lines, inside=SQUARE, **options)
+        with pytest.raises(InputError, match="positive side"):
+            draw_lines.scene(lines, inside=Arrangement([[1, 0], [-1, 0]], [1, 1]))
+
+    def test_command_reads_the_polygon(self, tmp_path):
+        polygon = tmp_path / "square.json"
+        families.polygon(4).save(polygon)
+        families.diagonals(4).save(tmp_path / "lines.json")
+        path = tmp_path / "square.svg"
+        command = ["draw", str(tmp_path / "lines.json"), "--view", "lines", "-o", str(path)]
+        assert main([*command, "--inside", str(polygon)]) == 0
+        assert 'id="outside-1"' in path.read_text()
+
+    def test_irrational_lines_are_drawn(self):
+        lines = families.diagonals(5)
+        scene = draw_lines.scene(lines)
+        assert sum(item.name.startswith("line-") for item in scene.items) == 5
