@@ -24,7 +24,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.numbers.exact import RationalVector
@@ -142,11 +142,18 @@ class LinearQuestion:
     chords: tuple[RationalVector, ...] = ()
 
     @cached_property
+    def _frames(self) -> list[list[Terms]]:
+        """The movements of each contact point along its normal and its tangents."""
+        return [
+            [sparse(x) for x in (contact.normal_wrench, *contact.tangential_wrenches)]
+            for contact in self.rows
+        ]
+
+    @cached_property
     def symbols(self) -> dict[Any, Terms]:
         """The spring, the slip and the displacements of each contact, in motion, t and 1."""
         symbols: dict[Any, Terms] = {}
-        for i, contact in enumerate(self.rows):
-            moves = [sparse(x) for x in (contact.normal_wrench, *contact.tangential_wrenches)]
+        for i, (contact, moves) in enumerate(zip(self.rows, self._frames, strict=True)):
             symbols |= {("displacement", i, j): terms for j, terms in enumerate(moves)}
             symbols |= {("slip", i, j): terms for j, terms in enumerate(moves[1:])}
             spring = self._of_t(contact.preload, self.slope_of(i))
@@ -187,8 +194,7 @@ class LinearQuestion:
         return self._conditions[i, state]
 
     def _law(self, i: int, state: State) -> ContactConditions:
-        contact = self.rows[i]
-        frame = contact.normal_wrench, *contact.tangential_wrenches
+        frame = self._frames[i]
         given = state if isinstance(state, ContactState) else self._state(i, state)
         least: list[Terms] = []
         equal: list[Terms] = []
@@ -222,7 +228,7 @@ class LinearQuestion:
                 (equal if is_zero else least).append(combination(of, factors))
         wrench: list[Terms] = [{} for _ in range(self.rows.n)]
         for terms, unit in zip(forces, frame, strict=True):
-            for j, x in sparse(unit).items():
+            for j, x in unit.items() if terms else ():
                 add(wrench[j], terms, x)
         at_least, zero = ([Condition(self, x) for x in every] for every in (least, equal))
         return ContactConditions(forces, unknowns, at_least, zero, wrench)
@@ -274,7 +280,8 @@ class LinearQuestion:
     def with_load(self, load: RationalVector) -> LinearQuestion:
         """Return the question of another load, with what is known of the contacts."""
         other = replace(self, load=load)
-        other.__dict__.update(symbols=self.symbols, _conditions=self._conditions)
+        for name in ("_frames", "symbols", "_conditions"):
+            other.__dict__[name] = getattr(self, name)
         return other
 
     @cached_property
@@ -311,9 +318,14 @@ class LinearQuestion:
 
 def exact(x: Any) -> Any:
     """Return a number of FLINT, whose products take a tenth of the time."""
-    from flint import fmpq
+    return _flint_rational()(x.numerator, x.denominator)
 
-    return fmpq(x.numerator, x.denominator)
+
+@cache
+def _flint_rational() -> Any:
+    from flint import fmpq  # slow to load
+
+    return fmpq
 
 
 def fraction(x: Any) -> Fraction:

@@ -6,15 +6,16 @@ relaxation: it has every solution.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
 from typing import Any, NamedTuple
 
-from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval
 from arrangement.numbers.linear.programs import Infeasible, Program
+from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.core.contact_rows import any_friction_does
 from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
@@ -70,6 +71,22 @@ class FarkasLeaf(NamedTuple):
     displacements: dict[int, RationalVector]
 
 
+class _Values(dict[Any, Any]):
+    """The numbers of unknowns at a point, and of symbols when they are looked up."""
+
+    def __init__(self, symbols: Mapping[Any, Terms], keys: Iterable[Any], point: Any) -> None:
+        super().__init__(zip(keys, map(exact, point), strict=True))
+        self[-1], self._symbols = exact(ONE), symbols
+
+    def __missing__(self, key: Any) -> Any:
+        self[key] = number = self.of(self._symbols[key])
+        return number
+
+    def of(self, terms: Terms) -> Any:
+        """Return the number of an expression."""
+        return sum(x * self[key] for key, x in terms.items())
+
+
 class ContactProgram:
     """The program of one node.
 
@@ -109,6 +126,23 @@ class ContactProgram:
     def equalities(self) -> list[tuple[int, ...]]:
         """The rows that are 0 at a solution, those of the balance last."""
         return [self._row(x.row) for x in self._equal]
+
+    @cached_property
+    def _reduced(self) -> Any:
+        return gauss_jordan(self.equalities)
+
+    @property
+    def freedom(self) -> int | None:
+        """How many unknowns the equations leave open; None if they contradict each other."""
+        _, pivots, _ = self._reduced
+        return None if self.size in pivots else self.size - len(pivots)
+
+    def only_solution(self) -> Solution | None:
+        """Return the one point that equations leave, if it is a solution."""
+        rows, pivots, scale = self._reduced
+        point = [Fraction(-row[-1], scale) for row, _ in zip(rows, pivots, strict=False)]
+        at = self._values(point)
+        return self.at(point) if all(at.of(x.terms) >= 0 for x in self._least) else None
 
     @property
     def units(self) -> list[int]:
@@ -186,10 +220,11 @@ class ContactProgram:
         """Return the solution that the last program ended with; None if there is none."""
         return None if (point := self._point()) is None else self.at(point)
 
-    def at(self, point: RationalVector) -> Solution:
-        """Return the motion and the forces of a solution; its last number is 1."""
-        forces = tuple(tuple(self._value(x, point) for x in terms) for terms in self.forces)
-        return Solution(point[: self.question.rows.n], forces)
+    def at(self, point: Sequence[Fraction]) -> Solution:
+        """Return the motion and the forces of a solution."""
+        at = self._values(point)
+        forces = (tuple(fraction(at.of(x)) for x in terms) for terms in self.forces)
+        return Solution(tuple(point[: self.question.rows.n]), tuple(forces))
 
     def holds(self, solution: Solution) -> bool:
         """Return whether motion and forces are a solution of a program without t."""
@@ -197,10 +232,11 @@ class ContactProgram:
         for i, (normal, *frictions) in enumerate(solution.forces):
             numbers["normal", i] = normal
             numbers |= {("friction", i, j): x for j, x in enumerate(frictions)}
-        point = (*solution.motion, *(numbers[force] for force in self._columns), Fraction(1))
+        point = (*solution.motion, *(numbers[force] for force in self._columns))
+        at = self._values(point)
         return (
-            not any(dot(row, point) for row in self.equalities)
-            and all(dot(row, point) >= 0 for row in self.inequalities)
+            not any(at.of(x.terms) for x in self._equal)
+            and all(at.of(x.terms) >= 0 for x in self._least)
             and self.at(point).forces == solution.forces
         )
 
@@ -231,18 +267,24 @@ class ContactProgram:
         return FarkasLeaf(motion, multipliers, displacements)
 
     def _point(self) -> RationalVector | None:
-        """Return the unknowns that the last program ended with, and 1 as the last number."""
+        """Return the unknowns that the last program ended with."""
         found = self._program.point()
-        return None if isinstance(found, Infeasible) else (*found, Fraction(1))
+        return None if isinstance(found, Infeasible) else found
+
+    def _values(self, point: Sequence[Fraction]) -> _Values:
+        """Return the numbers of expressions at a point."""
+        keys = (*range(self.size - len(self._columns)), *self._columns)
+        return _Values(self.question.symbols, keys, point)
 
     def _end(self, t: Fraction) -> End:
         """Return how far each contact is from the law, and in which state it is, at a solution."""
         point, question = self._point(), self.question
         assert point is not None
+        at = self._values(point)
         violations, states = [], []
         for i, (contact, forces) in enumerate(zip(question.rows, self.forces, strict=True)):
             terms = *forces, {("slip", i, 0): ONE}, {("spring", i): ONE}
-            pressed, rubbed, slip, spring = (self._value(x, point) for x in terms)
+            pressed, rubbed, slip, spring = (fraction(at.of(x)) for x in terms)
             least, most = question.coefficients(i)
             opposed = -rubbed if slip > 0 else rubbed
             missed = max(Fraction(0), least * pressed - opposed) if slip else Fraction(0)
@@ -297,7 +339,7 @@ class ContactProgram:
         """Return whether an expression that is at least 0 is 0 in all solutions."""
         point = self._point()
         assert point is not None
-        return not self._value(terms, point) and self._least_of(times(terms, -1)) == 0
+        return not self._values(point).of(terms) and self._least_of(times(terms, -1)) == 0
 
     @staticmethod
     def _carried(terms: Terms, into: ContactProgram) -> Terms:
@@ -318,14 +360,6 @@ class ContactProgram:
         row, unit = self._whole_row(terms)
         least = self._program.least(row[:-1])
         return None if least is None else (least + row[-1]) / unit
-
-    def _value(self, terms: Terms, point: RationalVector) -> Fraction:
-        """Return an expression at a point, whose last number is 1."""
-        places = (
-            (key if isinstance(key, int) else self._columns[key], x)
-            for key, x in self.question.expanded(terms).items()
-        )
-        return fraction(sum(x * exact(point[j]) for j, x in places))
 
     def split(self, violations: Sequence[Fraction]) -> list[Node]:
         """Return the node with the open contact furthest from the law decided, likeliest last."""

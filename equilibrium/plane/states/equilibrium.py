@@ -4,20 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 from itertools import chain
 from typing import Any
 
 from arrangement.console.number_form import JsonMixin
 from arrangement.numbers.exact import (
     RationalVector,
-    dot,
     primitive,
     rational_vector,
     vector_text,
 )
 from arrangement.numbers.linear.intervals import Interval
-from arrangement.numbers.linear.rank import gauss_jordan, rank
+from arrangement.numbers.linear.rank import rank
 from equilibrium.core.contact_law import ONE, LinearQuestion, State, Terms
 from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contact_rows import unit_row
@@ -102,23 +100,16 @@ def equilibrium_of(
     if len(sticking) > 2 and rank([primitive(c.tangential_wrenches[0]) for c in sticking]) == 3:
         question = question.at_rest
     program = ContactProgram(question, tuple(as_read or states))
-    n = program.size
-    rows, pivots, scale = gauss_jordan(program.equalities)
-    if n in pivots:
-        return None
-    components: list[Terms] = [*({j: ONE} for j in range(3)), *chain(*program.forces)]
-    if len(pivots) == n:
-        sign = -1 if scale < 0 else 1
-        point = [*(-sign * row[n] for row in rows[:n]), sign * scale]
-        # In integers over the common denominator: no fraction is reduced on the way.
-        if any(dot(row, point) < 0 for row in program.inequalities):
+    if program.freedom == 0:
+        solution = program.only_solution()
+        if solution is None:
             return None
-        solution = program.at((*(Fraction(x, point[n]) for x in point[:n]), Fraction(1)))
         ranges: list[Interval] = [(x, x) for x in chain(solution.motion, *solution.forces)]
     else:
-        if not program.feasible:
+        if program.freedom is None or not program.feasible:
             return None
-        solution = program.at((*_least_solution(program), Fraction(1)))
+        solution = program.at(_least_solution(program))
+        components: list[Terms] = [*({j: ONE} for j in range(3)), *chain(*program.forces)]
         ranges = list(map(program.range_of, components))
     return Equilibrium(
         states,
