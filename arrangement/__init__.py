@@ -11,6 +11,8 @@
 Create
     Arrangement       hyperplanes n . x = b with exact coefficients, and all their methods
     read_arrangement  read a file, or a built-in arrangement by name
+    Segments          segments in the plane: the vertices, edges and cells of their union
+    read_segments     read a file of them
     families          Coxeter, braid, Shi, Catalan, graphical, generic, ... arrangements
     census            every isomorphism class of rank 3 with up to nine hyperplanes
 
@@ -39,6 +41,7 @@ __version__ = "0.1.0"
 attach(
     {
         "Arrangement.draw": "arrangement.pictures.views:DRAWINGS",
+        "Segments.draw": "arrangement.pictures.views:SEGMENTS",
         "Arrangement.identify": "arrangement.library.census:identify",
         "Arrangement.save": "arrangement.library.files.table:save",
         "Arrangement.to_polymake": "arrangement.library.files.table:to_polymake",

@@ -23,6 +23,7 @@ from .numbers.exact import shown
 if TYPE_CHECKING:
     from .arrangement import Arrangement
     from .enumeration.subdivision import Pieces
+    from .segments import Segments
 
 _Command = Callable[[argparse.Namespace], int]
 _FILE = (
@@ -157,7 +158,12 @@ def _read(arguments: argparse.Namespace, name: str = "file") -> Arrangement:
 
 
 def _count(arguments: argparse.Namespace) -> int:
-    arrangement = _read(arguments)
+    from .library.files.table import read_figure
+    from .segments import Segments
+
+    arrangement = read_figure(arguments.file)
+    if isinstance(arrangement, Segments):
+        return _count_segments(arrangement, arguments)
     if arguments.forecast:
         return _forecast(arrangement, arguments)
     if arguments.inside is not None:
@@ -211,6 +217,23 @@ def _count_pieces(lines: Arrangement, arguments: argparse.Namespace) -> int:
     for place, pieces in cut._asdict().items():
         rows |= {f"{place}: {name}": n for name, n in _piece_rows(pieces, place != "boundary")}
     return _print_rows(rows)
+
+
+def _count_segments(segments: Segments, arguments: argparse.Namespace) -> int:
+    """Print what the union of segments has, and what it leaves of the plane."""
+    _refuse_options(arguments, "forecast", "inside", "primes", "store", "time_limit", "verified")
+    pieces = segments.pieces()
+    if arguments.json:
+        terminal.print_json({"segments": len(segments), **pieces._asdict()})
+        return terminal.YES
+    return _print_rows({"segments": len(segments), **dict(_piece_rows(pieces))})
+
+
+def _refuse_options(arguments: argparse.Namespace, *names: str) -> None:
+    for name in names:
+        if getattr(arguments, name):
+            flag = name.replace("_", "-")
+            raise InputError(f"--{flag} is for arrangements, and the file holds segments; omit it")
 
 
 def _piece_rows(pieces: Pieces, cells: bool = True) -> list[tuple[str, int]]:
@@ -431,11 +454,13 @@ def _identify(arguments: argparse.Namespace) -> int:
 
 def _draw(arguments: argparse.Namespace) -> int:
     from .drawing.command import given_options, write
-    from .pictures.views import DRAWINGS
+    from .library.files.table import read_figure
+    from .pictures.views import DRAWINGS, SEGMENTS
+    from .segments import Segments
 
-    arrangement = _read(arguments)
-    drawings = DRAWINGS.of(arrangement)
-    return write(arguments, drawings, arrangement, given_options(arguments, drawings))
+    figure = read_figure(arguments.file)
+    drawings = SEGMENTS if isinstance(figure, Segments) else DRAWINGS.of(figure)
+    return write(arguments, drawings, figure, given_options(arguments, drawings, DRAWINGS))
 
 
 def _lab(arguments: argparse.Namespace) -> int:

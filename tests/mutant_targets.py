@@ -221,7 +221,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ("tests/arrangement/test_regions_alone.py",): ("arrangement.enumeration.deletion_restriction",),
     ("tests/arrangement/test_paper_steps.py",): ("arrangement.enumeration.paper_steps",),
     ("tests/arrangement/test_regions.py",): ("arrangement.enumeration.regions",),
-    ("tests/arrangement/test_pieces.py",): (
+    ("tests/arrangement/test_pieces.py", "tests/arrangement/test_segments.py"): (
         "arrangement.enumeration.subdivision",
         "arrangement.planes.polygon",
     ),

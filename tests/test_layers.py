@@ -130,7 +130,7 @@ methods = plugins._ATTACHED
 assert {"Arrangement.draw", "Grasp.draw", "Verdict._repr_html_"} <= methods.keys()
 for method in methods:
     owner, name = method.split(".")
-    package = arrangement if owner == "Arrangement" else equilibrium
+    package = arrangement if hasattr(arrangement, owner) else equilibrium
     assert callable(getattr(getattr(package, owner), name)), method
     plugins.attached(method)
 """

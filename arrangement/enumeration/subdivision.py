@@ -81,7 +81,7 @@ def cut(lines: Planes, sides: Planes) -> Cut:
                 f"{planes!r} are not lines of R^2, whose pieces are counted; the faces inside of a "
                 "polyhedron are listed (arrangement faces --inside, faces(inside=...))"
             )
-    sheet = _Sheet([*sides.integer_planes, *lines.integer_planes])
+    sheet = Sheet([*sides.integer_planes, *lines.integer_planes])
     own = slice(len(sides))
 
     def places(signs: _Places) -> _Places:
@@ -95,12 +95,13 @@ def cut(lines: Planes, sides: Planes) -> Cut:
     covered = np.zeros(sheet.circles, bool)
     covered[list(sheet.sphere.plane_circle[len(sides) : -1])] = True
     drawn = covered[sheet.circle] | (of_arcs[sheet.front] == _BOUNDARY)
-    parts = sheet.pieces(drawn, np.zeros(len(of_vertices), bool), of_vertices, of_arcs, of_regions)
+    sheet.draw(drawn, np.zeros(len(of_vertices), bool))
+    parts = sheet.pieces(of_vertices, of_arcs, of_regions)
     return Cut(*(parts[place] for place in (_INSIDE, _BOUNDARY, _OUTSIDE)))
 
 
-def segment_pieces(segments: Sequence[Sequence[Sequence[Any]]]) -> Pieces:
-    """Return what the union of segments [p, q] in R^2, with p and q different, has and leaves."""
+def segment_sheet(segments: Sequence[Sequence[Sequence[Any]]]) -> Sheet:
+    """Return the plane with segments [p, q] drawn in it, p and q different points of R^2."""
     lines = [line_through(p, q) for p, q in segments]
     ends = [(line, p) for line, segment in zip(lines, segments, strict=True) for p in segment]
     crossing = Planes([line[:2] for line in lines], [line[2] for line in lines], dimension=2)
@@ -110,7 +111,7 @@ def segment_pieces(segments: Sequence[Sequence[Sequence[Any]]]) -> Pieces:
         for (a, b, _), p in ends
         if sum(dot(n[:2], p) == n[2] for n in crossing.distinct_planes) == 1
     ]
-    sheet = _Sheet([*lines, *across])
+    sheet = Sheet([*lines, *across])
     drawn, is_end = np.zeros(len(sheet.front), bool), np.zeros(sheet.sphere.vertex_count, bool)
     rays = sheet.sphere.rays.tolist()
     for circle, (p, q) in zip(sheet.sphere.plane_circle.tolist(), segments, strict=False):
@@ -123,13 +124,15 @@ def segment_pieces(segments: Sequence[Sequence[Sequence[Any]]]) -> Pieces:
                 within[v] = True
                 is_end[v] |= at in (start * w, stop * w)
         drawn |= (sheet.circle == circle) & within[sheet.tail] & within[sheet.head]
-    return sheet.pieces(drawn, is_end, *(np.zeros(len(x), np.int8) for x in sheet.signs))[0]
+    sheet.draw(drawn, is_end)
+    return sheet
 
 
-class _Sheet:
+class Sheet:
     """The plane as the front half of a sphere.
 
     Attributes:
+        rows: a, b, c of each line a x + b y = c.
         sphere: circles of the lines and, last, the line at infinity.
         signs: of all vertices, arcs and regions, a column for each line.
         front: the arcs that are not at infinity; `circle`, `tail`, `head`, `left`, `right` of each.
@@ -137,8 +140,9 @@ class _Sheet:
     """
 
     def __init__(self, rows: Iterable[Sequence[Any]]) -> None:
-        """Take lines as rows a, b, c: a x + b y = c."""
-        planes = Planes([*((a, b, -c) for a, b, c in rows), (0, 0, 1)])
+        """Take lines as rows."""
+        self.rows = list(rows)
+        planes = Planes([*((a, b, -c) for a, b, c in self.rows), (0, 0, 1)])
         check_engine(planes, ENGINES["great-circles"])
         self.sphere = sphere = sphere_arrangement(planes)
         incidence = sphere.incidence
@@ -158,15 +162,19 @@ class _Sheet:
         self.unbounded = np.zeros(sphere.region_count, bool)
         self.unbounded[incidence.region[at_infinity]] = True
 
-    def pieces(
-        self, drawn: _Truth, is_end: _Truth, vertices: _Places, arcs: _Places, regions: _Places
-    ) -> list[Pieces]:
-        """Count what is at each of the places 0, 1, 2.
+    def place(self, vertex: int) -> NDArray[np.float64]:
+        """Return about where a vertex is that is not at infinity, (2)."""
+        x, y, w = self.sphere.ray(vertex)
+        return np.array([float(x / w), float(y / w)])
+
+    def draw(self, drawn: _Truth, is_end: _Truth) -> None:
+        """Take which of the arcs in front are drawn, and join what these do not separate.
 
         Args:
-            drawn: of the arcs in front.
             is_end: which vertices are such even where an arc only goes on.
-            vertices, arcs, regions: the place of each.
+
+        Sets `drawn`, `passed` and `is_vertex`; the `cell` of each region in front, by the number of
+        one of its regions; the `open_cells`; and the numbers of `edges` of all cells.
         """
         from networkx.utils import UnionFind  # slow to load
 
@@ -176,30 +184,38 @@ class _Sheet:
             np.add.at(degree, end, 1)
             np.minimum.at(least, end, self.circle[drawn])
             np.maximum.at(most, end, self.circle[drawn])
-        passed = self.front_vertices & ~is_end & (degree == 2) & (least == most)
-        is_vertex = self.front_vertices & ~passed & (degree > 0)
+        self.drawn = drawn
+        self.passed = self.front_vertices & ~is_end & (degree == 2) & (least == most)
+        self.is_vertex = self.front_vertices & ~self.passed & (degree > 0)
         joined = UnionFind(self.front_regions.tolist())
         for pair in zip(self.left[~drawn].tolist(), self.right[~drawn].tolist(), strict=True):
             joined.union(*pair)
-        cell = {region: joined[region] for region in self.front_regions.tolist()}
-        open_cells = {own for region, own in cell.items() if self.unbounded[region]}
-        edges = Counter[int]()
-        for on, sign in ((drawn, 1), (drawn & passed[self.tail], -1)):
+        self.cell = {region: joined[region] for region in self.front_regions.tolist()}
+        self.open_cells = {own for region, own in self.cell.items() if self.unbounded[region]}
+        self.edges = Counter[int]()
+        for on, sign in ((drawn, 1), (drawn & self.passed[self.tail], -1)):
             for side in (self.left, self.right):
                 for region in side[on].tolist():
-                    edges[cell[region]] += sign
+                    self.edges[self.cell[region]] += sign
+
+    def pieces(self, vertices: _Places, arcs: _Places, regions: _Places) -> list[Pieces]:
+        """Count what is at each of the places 0, 1, 2, which those of all parts are."""
         made = []
         for place in (_OUTSIDE, _BOUNDARY, _INSIDE):
-            cells = {own for own in cell.values() if regions[own] == place}
-            bounded = cells - open_cells
-            here = int((arcs[self.front[drawn]] == place).sum())
+            cells = {own for own in self.cell.values() if regions[own] == place}
+            bounded = cells - self.open_cells
+            arcs_here = int((arcs[self.front[self.drawn]] == place).sum())
             made.append(
                 Pieces(
-                    int((is_vertex & (vertices == place)).sum()),
-                    here - int((passed & (vertices == place)).sum()),
+                    int((self.is_vertex & (vertices == place)).sum()),
+                    arcs_here - int((self.passed & (vertices == place)).sum()),
                     len(cells),
                     len(bounded),
-                    dict(sorted(Counter(edges[own] for own in bounded).items())),
+                    dict(sorted(Counter(self.edges[own] for own in bounded).items())),
                 )
             )
         return made
+
+    def all_pieces(self) -> Pieces:
+        """Count what is anywhere."""
+        return self.pieces(*(np.zeros(len(signs), np.int8) for signs in self.signs))[0]

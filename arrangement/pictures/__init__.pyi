@@ -15,6 +15,7 @@ from .planes import (
     draw_planes as draw_planes,
     draw_section as draw_section,
 )
+from .segments import draw_segments as draw_segments
 from .views import (
     DRAWINGS as DRAWINGS,
     DrawnRegion as DrawnRegion,

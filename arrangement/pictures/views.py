@@ -63,6 +63,10 @@ DRAWINGS = Drawings(
     PAGES,
     best_first,
 )
+#: What can be drawn of segments.
+SEGMENTS = Drawings(
+    "arrangement.pictures", {"segments": ViewEntry("segments:draw_segments")}, {}, {}
+)
 
 
 def write_drawing(planes: Planes, *args: Any, **options: Any) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from arrangement import Arrangement, InputError, read_arrangement
 from arrangement.console.writing import write_text_atomically
 from arrangement.library import files
 from arrangement.library.files.json_files import check_keys, check_list, instances, read_document
+from arrangement.library.files.table import read_figure
 from arrangement.library.instances import paths
 from tests.instances import ONE_BODY, is_in_space
 
@@ -280,7 +281,7 @@ def test_every_built_in_document_reads_and_describes_itself():
     assert set(BUILT_IN) <= set(known)
     for name, path in known.items():
         if name not in ONE_BODY:
-            with pytest.raises(InputError, match="contacts, planes, polygon; it has none"):
+            with pytest.raises(InputError, match="contacts, planes, polygon, segments; it has none"):
                 read_arrangement(name)
         elif is_in_space(name):
             with pytest.raises(InputError, match="in space"):
@@ -299,6 +300,8 @@ GOOD = [
     {"planes": PLANES, "offsets": ["1/3", 2]},
     {"planes": [], "dimension": 3, "description": "none"},
     {"polygon": [["0", 0], [1, 0], [0, "1/2"]], "description": "a triangle"},
+    {"segments": [[["0", 0], [1, "1/2"]]], "description": "one"},
+    {"segments": []},
 ]
 BAD = [
     {"planes": PLANES, "schema_version": 2},
@@ -314,6 +317,9 @@ BAD = [
     {"planes": PLANES, "description": 1},
     {"offsets": []},
     {"polygon": [["0", 0], [1, 0]]},
+    {"segments": [["0", 0], [1, 0]]},
+    {"segments": [[["0", 0], [1]]]},
+    {"segments": [], "offsets": []},
     {"polygon": [["0", 0], [1, 0], [0]]},
     {"polygon": [["0", 0], [1, 0], [0, 1]], "planes": PLANES},
     {"polygon": [["0", 0], [1, 0], [0, 1]], "dimension": 2},
@@ -327,7 +333,7 @@ def test_the_schema_and_the_reader_agree(document, good):
     document = {"schema_version": 1} | document
     assert VALIDATOR.is_valid(document) is good
     with contextlib.nullcontext() if good else pytest.raises(InputError):
-        read_arrangement(document)
+        read_figure(document)
 
 
 def test_what_ships_passes_the_schema():

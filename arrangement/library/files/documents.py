@@ -15,6 +15,10 @@ A convex polygon in R^2 is the arrangement of its sides, with it on the positive
 
     {"schema_version": 1, "polygon": [["0", "0"], ["1", "0"], ["0", "1"]]}
 
+Segments in R^2 are a document of their own (`read_segments`), for each its two ends::
+
+    {"schema_version": 1, "segments": [[["0", "0"], ["1", "0"]], [["0", "0"], ["1/2", "2"]]]}
+
 Packages above this one add further kinds of document that stand for an arrangement
 (`arrangement.console.plugins`).
 """
@@ -23,7 +27,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.plugins import added, named
@@ -38,10 +42,12 @@ from arrangement.library.files.json_files import (
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, bit_size, rational_vector
 from arrangement.planes.polygon import convex_polygon
+from arrangement.segments import Segments
 
 if TYPE_CHECKING:
     from arrangement.numbers.fields import NumberField
 
+_Read: TypeAlias = Callable[[Mapping[str, Any]], Arrangement | Segments]
 #: Of a document of the kind "planes"; the first two are needed.
 KEYS = ("schema_version", "planes", "offsets", "dimension", "description", "field")
 
@@ -52,12 +58,20 @@ def arrangement_of(document: Any, name: str) -> Arrangement:
     Raises:
         InputError: for anything that is not exactly a valid document.
     """
+    made = figure_of(document, name)
+    if isinstance(made, Segments):
+        raise InputError(f"{name} holds segments; read_segments, or arrangement count, takes them")
+    return made
+
+
+def figure_of(document: Any, name: str) -> Arrangement | Segments:
+    """Return what a document called `name` stands for."""
+    own: dict[str, _Read] = {"planes": _planes, "polygon": _polygon, "segments": _segments}
     others = added("documents")
-    fields = check_document(document, ["planes", "polygon", *others], name)
-    kind = next((key for key in others if key in fields), None)
-    own = _polygon if "polygon" in fields else _planes
-    read: Callable[[Mapping[str, Any]], Arrangement] = named(others[kind]) if kind else own
-    return read(fields)
+    fields = check_document(document, [*own, *others], name)
+    kind = next(key for key in (*own, *others) if key in fields)
+    made: Arrangement | Segments = (own.get(kind) or named(others[kind]))(fields)
+    return made
 
 
 def _planes(document: Mapping[str, Any]) -> Arrangement:
@@ -79,6 +93,19 @@ def _polygon(document: Mapping[str, Any]) -> Arrangement:
     corners = check_list(document["polygon"], "polygon")
     sides = convex_polygon([numbers(p, f"polygon[{i}]") for i, p in enumerate(corners)])
     return Arrangement(sides.normals, sides.offsets)
+
+
+def _segments(document: Mapping[str, Any]) -> Segments:
+    check_keys(document, ("schema_version", "segments"), KEYS[4:], "the segments")
+    numbers = _reader(document)
+    pairs = check_list(document["segments"], "segments")
+    return Segments(
+        [
+            numbers(p, f"segments[{i}][{k}]")
+            for k, p in enumerate(check_list(pair, f"segments[{i}]"))
+        ]
+        for i, pair in enumerate(pairs)
+    )
 
 
 def _reader(document: Mapping[str, Any]) -> Callable[[Any, str], list[Any]]:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
-from typing import cast
+from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.plugins import added, named
@@ -17,6 +17,7 @@ from arrangement.library.files.documents import Format
 from arrangement.library.files.json_files import Source, parse_json, read_text
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
+from arrangement.segments import Segments
 
 from . import documents
 
@@ -58,23 +59,52 @@ def read_arrangement(source: Source) -> Arrangement:
     """
     if isinstance(source, Mapping):
         return documents.arrangement_of(dict(source), "the document")
-    return read_with_rest(source)[0]
+    made: Arrangement = read_with_rest(source)[0]
+    return made
 
 
-def read_with_rest(source: str | os.PathLike[str]) -> tuple[Arrangement, str]:
-    """Read an arrangement, and name what else a document of another kind has."""
+def read_segments(source: Source) -> Segments:
+    """Read segments of the plane from a path, ``"-"`` (stdin) or a mapping.
+
+    Raises:
+        InputError: for anything that is not exactly a valid document of segments.
+
+    >>> read_segments({"schema_version": 1, "segments": [[["0", "0"], ["1", "1/2"]]]})
+    <Segments: 1 in R^2>
+    """
+    made = read_figure(source)
+    if not isinstance(made, Segments):
+        raise InputError(f"{shown(source)} holds {made!r}; read_arrangement takes it")
+    return made
+
+
+def read_figure(source: Source) -> Arrangement | Segments:
+    """Read an arrangement as `read_arrangement` does, or segments."""
+    if isinstance(source, Mapping):
+        return documents.figure_of(dict(source), "the document")
+    made: Arrangement | Segments = read_with_rest(source, documents.figure_of)[0]
+    return made
+
+
+def read_with_rest(
+    source: str | os.PathLike[str], read: Callable[[Any, str], Any] = documents.arrangement_of
+) -> tuple[Any, str]:
+    """Read an arrangement, and name what else a document of another kind has.
+
+    Args:
+        read: from a document and its name in messages.
+    """
     text, name = read_text(source)
     form = _form_of(text, Path(source).suffix.lower())
     if not form.recognises(text) and not text.lstrip().startswith(("{", "[")):
         tables = (named(place)(text) for place in added("tables").values())
         if (table := next((x for x in tables if x is not None), None)) is not None:
-            return cast(Arrangement, table), ""
+            return table, ""
     if form.name == "json":
         if text.strip() and text.lstrip()[0] not in '{["' and not str(source).endswith(".json"):
             raise InputError(f"{name} is in none of the formats that are read: {_named('read')}")
         document = parse_json(text, name)
-        arrangement = documents.arrangement_of(document, name)
-        return arrangement, ", ".join(key for key in document if key not in documents.KEYS)
+        return read(document, name), ", ".join(key for key in document if key not in documents.KEYS)
     return Entries(form, text, name).only(), ""
 
 

@@ -1,0 +1,96 @@
+"""Segments in the plane: what their union has, and what it leaves of the plane."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from arrangement.arrangement import Arrangement
+from arrangement.console.plugins import attached
+from arrangement.enumeration.subdivision import Pieces, segment_sheet
+from arrangement.errors import InputError
+from arrangement.numbers.exact import RationalVector, rational_vector, shown
+from arrangement.numbers.real import field_of, written
+from arrangement.numbers.symbolic import entry, in_one_field, listed
+from arrangement.planes.polygon import line_through
+
+if TYPE_CHECKING:
+    from arrangement.drawing.path_artist import Drawing
+
+_Points: TypeAlias = Iterable[Any]
+
+
+class Segments:
+    """Finitely many segments in R^2 with exact ends, which may cross, overlap and touch.
+
+    Args:
+        ends: for each segment its two different ends, with exact numbers as of `Arrangement`.
+
+    Raises:
+        InputError: a float, or what is not two different points of the plane.
+
+    >>> square = [((0, 0), (1, 0)), ((1, 0), (1, 1)), ((1, 1), (0, 1)), ((0, 1), (0, 0))]
+    >>> drawing = Segments([*square, ((0, 0), (1, 1)), ((1, 0), (0, 1))])
+    >>> drawing.pieces()
+    Pieces(vertices=5, edges=8, cells=5, bounded_cells=4, cells_by_edges={3: 4})
+    """
+
+    ends: tuple[tuple[RationalVector, RationalVector], ...]
+
+    def __init__(self, ends: Iterable[_Points]) -> None:
+        given = [listed(pair, "ends") for pair in listed(ends, "segments")]
+        for i, pair in enumerate(given):
+            if len(pair) != 2:
+                raise InputError(f"segments[{i}] is {shown(pair)}; give two points, its ends")
+        named = [
+            (f"segments[{i}][{k}]", p) for i, pair in enumerate(given) for k, p in enumerate(pair)
+        ]
+        points = in_one_field([rational_vector(p, name, entry) for name, p in named])
+        self.ends = tuple(zip(points[::2], points[1::2], strict=True))
+        for i, (p, q) in enumerate(self.ends):
+            if len(p) != 2 or len(q) != 2 or p == q:
+                raise InputError(
+                    f"segments[{i}] is {shown(given[i])}; give two different points of R^2"
+                )
+
+    def __len__(self) -> int:
+        return len(self.ends)
+
+    def __eq__(self, other: object) -> bool:
+        return self.ends == other.ends if isinstance(other, Segments) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.ends)
+
+    def __repr__(self) -> str:
+        return f"<Segments: {len(self)} in R^2>"
+
+    @property
+    def lines(self) -> Arrangement:
+        """The lines of the segments, in their order."""
+        rows = [line_through(p, q) for p, q in self.ends]
+        return Arrangement([row[:2] for row in rows], [row[2] for row in rows], dimension=2)
+
+    def pieces(self) -> Pieces:
+        """Count the vertices, edges and cells (faces) of the drawing that the segments make.
+
+        Vertices are ends of segments, and points where segments of different lines meet.
+
+        Raises:
+            OutOfReachError: it takes more than the budget.
+        """
+        return segment_sheet(self.ends).all_pieces()
+
+    def draw(self, **options: Any) -> Drawing:
+        """Draw the segments as a figure of matplotlib; see `pictures.draw_segments`."""
+        made: Drawing = attached("Segments.draw").draw(self, **options)
+        return made
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the file form: ``{"segments": [[p, q], ...]}`` with a field if there is one."""
+        document: dict[str, Any] = {"schema_version": 1}
+        field = field_of(x for pair in self.ends for p in pair for x in p)
+        if field is not None:
+            document["field"] = field.to_dict()
+        document["segments"] = [[[*map(written, p)] for p in pair] for pair in self.ends]
+        return document
