@@ -26,6 +26,7 @@ Decide one wrench
 Set of resisted wrenches
     ResistedSet          along a direction, in a plane, as polyhedra; margins; arrays of wrenches
     resisted_values      for which values of a letter in the data it resists: ResistedValues
+    sufficient_friction  the least friction of named contacts: SufficientFriction
 
 Many grasps
     check_grasps         decide arrays of grasps and wrenches in floats: CheckedGrasps

@@ -29,5 +29,9 @@ from .wrench_sets.parameter import (
     resisted_values as resisted_values,
 )
 from .wrench_sets.resisted_set import ResistedSet as ResistedSet
+from .wrench_sets.sufficient_friction import (
+    SufficientFriction as SufficientFriction,
+    sufficient_friction as sufficient_friction,
+)
 
 __version__: str

@@ -439,6 +439,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.certificate.parameter",
         "equilibrium.model.parameter",
         "equilibrium.wrench_sets.parameter",
+        "equilibrium.wrench_sets.sufficient_friction",
     ),
     (
         "tests/equilibrium/test_contact_states.py",

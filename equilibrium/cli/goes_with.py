@@ -13,7 +13,7 @@ GRASP, ASSEMBLY, MANY = SUBJECTS = "one body", "an assembly", "a file of many gr
 #: Forms of `solve`, `resisted` and `info` that no option names.
 FULL_MODEL = "the verdict of the full model"
 LOAD, WHOLE_SET = "a load (--wrench, --force or --weight)", "the whole set"
-PARAMETER = "--parameter"
+PARAMETER, FRICTION = "--parameter", "--friction"
 DESCRIPTION, REPORT = "the description", "the report"
 
 #: For the options of a command the subjects and the forms that they go with. Where an option names
@@ -33,7 +33,7 @@ GOES_WITH: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "on": (ASSEMBLY,),
         "along": (ASSEMBLY, "--along"),
         "wrench": (GRASP,),
-        "force weight at": (GRASP, LOAD, "--margin"),
+        "force weight at": (GRASP, LOAD, "--margin", PARAMETER, FRICTION),
         "smallest": (GRASP, "--smallest"),
         "slice": (GRASP, "--slice"),
         "search": (GRASP, "--search"),
@@ -44,7 +44,7 @@ GOES_WITH: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "rays max_magnitude": (GRASP, "--search"),
         "also": (GRASP, "--margin"),
         "contacts": ("--margin",),
-        "tolerance": ("--margin", "--search", PARAMETER),
+        "tolerance": ("--margin", "--search", PARAMETER, FRICTION),
         "max_displacement": (LOAD, "--along", "--margin", "--smallest", "--slice", WHOLE_SET),
     },
     "info": {

@@ -23,12 +23,13 @@ from .arguments import (
     add_wrench,
     applied,
     bodies_of,
+    force_given,
     grasp_of,
     has_load,
     show,
     spanning_wrench,
 )
-from .goes_with import ASSEMBLY, GRASP, LOAD, PARAMETER, WHOLE_SET, check_options
+from .goes_with import ASSEMBLY, FRICTION, GRASP, LOAD, PARAMETER, WHOLE_SET, check_options
 
 if TYPE_CHECKING:
     from equilibrium.model.assembly import Assembly
@@ -70,6 +71,8 @@ def add_command_resisted(commands: Any) -> None:
     )
     text = "the values of a letter in the file for which its load is resisted, such as t=0..1"
     parser.add_argument("--parameter", metavar="LETTER=FROM..TO", help=text)
+    text = "the least friction of these contacts that resists the load, each side with certificates"
+    parser.add_argument("--friction", nargs="+", type=numbers, metavar="NUMBER", help=text)
     text = "with a load: print which contacts of this file (as GRASP), each added alone, resist it"
     parser.add_argument("--candidates", metavar="FILE", help=text)
     text = "with a load or --smallest: a wrench that acts in any case (default: none)"
@@ -86,13 +89,13 @@ def add_command_resisted(commands: Any) -> None:
         parser,
         "--tolerance",
         None,
-        f"{text}--search (default: 1/1000), of --parameter (default: 1/1000000)",
+        f"{text}--search (default: 1/1000), of --parameter and --friction (default: 1/1000000)",
     )
     add_displacement(parser)
 
 
 def _resisted(arguments: argparse.Namespace) -> int:
-    if arguments.parameter is not None:
+    if arguments.parameter is not None or arguments.friction is not None:
         return show(arguments, *_values(arguments))
     bodies = bodies_of(arguments)
     if bodies is not None:
@@ -110,19 +113,27 @@ def _check_form(arguments: argparse.Namespace, subject: str | None, form: str) -
 
 
 def _values(arguments: argparse.Namespace) -> Answer:
-    """Return for which values of a letter the load of a file is resisted."""
+    """Return for which values of a letter, or of the friction of contacts, a load is resisted."""
     from equilibrium.grasps.inputs.parameter import read_parametric, read_range
     from equilibrium.wrench_sets.parameter import TOLERANCE, resisted_values
-    from equilibrium.wrench_sets.text import values_answer
+    from equilibrium.wrench_sets.sufficient_friction import sufficient_friction
+    from equilibrium.wrench_sets.text import friction_answer, values_answer
 
-    _check_form(arguments, None, PARAMETER)
+    if None not in (arguments.parameter, arguments.friction):
+        raise GraspError(f"{PARAMETER} and {FRICTION} are two questions; give one of them")
+    form = PARAMETER if arguments.friction is None else FRICTION
+    _check_form(arguments, None, form)
     for name in ("preload", "round_normals", "as_given"):
         if getattr(arguments, name, None) not in (None, False):
             option = name.replace("_", "-")
-            raise GraspError(f"--{option} does not go with {PARAMETER}; write it into the file")
-    letter, low, high = read_range(arguments.parameter)
-    family = read_parametric(arguments.grasp, letter, arguments.on or arguments.wrench)
+            raise GraspError(f"--{option} does not go with {form}; write it into the file")
     tolerance = arguments.tolerance or TOLERANCE
+    load = arguments.on or force_given(arguments) or arguments.wrench
+    if arguments.friction is not None:
+        chosen = arguments.friction
+        return friction_answer(sufficient_friction(arguments.grasp, chosen, load, tolerance))
+    letter, low, high = read_range(arguments.parameter)
+    family = read_parametric(arguments.grasp, letter, load)
     return values_answer(resisted_values(family, low, high, tolerance=tolerance))
 
 

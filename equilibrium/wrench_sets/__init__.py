@@ -6,6 +6,8 @@
 * `loads`: arrays of loads on one grasp.
 * `any_direction`: the smallest wrench that is not resisted.
 * `margin`: factors and preloads; `friction`: the least coefficient; `search_map`: the paper's map.
+* `parameter`: values of a letter in the data; `sufficient_friction`: the least friction of named
+  contacts by it, both with certificates.
 * `spatial`: brackets of magnitudes of grasps in space.
 * `text`: all of these as lines for people.
 """

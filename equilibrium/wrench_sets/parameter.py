@@ -20,6 +20,8 @@ from arrangement.console.number_form import ReprMixin
 from arrangement.library.files.json_files import Source
 from arrangement.numbers.exact import rational, shown, simplest_between, to_text
 from arrangement.numbers.functions import Domain, Function, Span
+from arrangement.numbers.linear.programs import Optimal, minimize
+from equilibrium.certificate.law import applied
 from equilibrium.certificate.leaf_rule import TreeQuestion
 from equilibrium.certificate.parameter import (
     ParameterReport,
@@ -220,12 +222,19 @@ def resisted_values(
     is_read = isinstance(source, ParametricQuestion)
     family: Any = source if is_read else read_parametric(source, letter, wrench)  # type: ignore[arg-type]
     start, end = (family.value(rational(x, name)) for x, name in ((low, "low"), (high, "high")))
-    width = rational(tolerance, "tolerance")
     if start > end:
         raise GraspError(f"low is {shown(low)} and high is {shown(high)}; expected low below high")
+    return proved_values(family, Span(start, end), tolerance)
+
+
+def proved_values(
+    family: ParametricQuestion, between: Span, tolerance: Any = TOLERANCE
+) -> ResistedValues:
+    """Return what `resisted_values` does, for an interval that may be open; of an angle of u."""
+    width = rational(tolerance, "tolerance")
     if width <= 0:
         raise GraspError(f"tolerance is {shown(tolerance)}; it must be above 0")
-    return _Search(family, Span(start, end), width).answer()
+    return _Search(family, between, width).answer()
 
 
 class _Search:
@@ -276,7 +285,7 @@ class _Search:
 
     def _gaps(self) -> Iterator[Span]:
         """Yield the intervals of values without a proof, in order."""
-        low, has_low = self.between.low, True
+        low, has_low = self.between.low, self.between.has_low
         for piece in self.pieces:
             span = piece.span
             if low < span.low or (low == span.low and has_low and not span.has_low):
@@ -308,9 +317,10 @@ class _Search:
         return None
 
     def _is_between_equals(self, gap: Span) -> bool:
-        """Return whether the proofs on both sides of a gap have one verdict."""
-        verdicts = {p.verdict for p in self.pieces if gap.low == p.span.high}
-        return bool(verdicts & {p.verdict for p in self.pieces if gap.high == p.span.low})
+        """Return whether no end of the resisted values is in a gap, as far as it can be seen."""
+        below = {p.verdict for p in self.pieces if gap.low == p.span.high}
+        above = {p.verdict for p in self.pieces if gap.high == p.span.low}
+        return len(below | above) == 1
 
     def _ask(self, value: Fraction, gap: Span) -> None:
         """Decide at a value, and add what its proof proves."""
@@ -320,7 +330,7 @@ class _Search:
         if verdict.verdict == "undecided":
             return
         best: Piece | None = None
-        for proof in self._proofs(value, verdict.certificate.to_dict()):
+        for proof in self._proofs(value, gap, verdict.certificate.to_dict()):
             span = self._reach(proof, value, gap)
             if span is None:
                 continue
@@ -335,7 +345,9 @@ class _Search:
             if min(value - gap.low, gap.high - value) <= self.tolerance:
                 self.near |= {best.span.low, best.span.high}
 
-    def _proofs(self, value: Fraction, document: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
+    def _proofs(
+        self, value: Fraction, gap: Span, document: Mapping[str, Any]
+    ) -> Iterator[Mapping[str, Any]]:
         """Yield proofs that hold at a value, those first that may hold far from it."""
         family = self.family
         if "tree" not in document:
@@ -347,7 +359,9 @@ class _Search:
             return
         by_states = self._tree_by_states(value, document["tree"])
         if by_states is not None:
-            yield {"tree": _carried_tree(family, value, by_states)}
+            is_narrow = gap.high - gap.low <= self.tolerance
+            for has_room in (True, False) if is_narrow else (False,):
+                yield {"tree": _carried_tree(family, value, by_states, has_room=has_room)}
         yield {"tree": document["tree"]}
 
     def _tree_by_states(self, value: Fraction, tree: Any) -> Any:
@@ -449,65 +463,125 @@ def _carried(
     }
 
 
-def _carried_tree(family: ParametricQuestion, value: Fraction, tree: Any) -> Any:
-    """Return a tree by states alone, with functions of the letter for the numbers of its leaves."""
+def _carried_tree(family: ParametricQuestion, value: Fraction, tree: Any, *, has_room: bool) -> Any:
+    """Return a tree by states alone, with functions of the letter for the numbers of its leaves.
+
+    Args:
+        has_room: see `_carried_leaf`.
+    """
     domain = Domain(Span(value, value), letter=family.letter)
-    rows = function_rows(family, domain)
+    rows, load = function_rows(family, domain), family.load(domain)
     form = form_of(family, lambda number, _: Fraction(number))
-    places = placed_leaves(tree, TreeQuestion(rows, family.load(domain), form))
-    return _with_leaves(tree, lambda: _carried_leaf(family, value, rows, *next(places)))
+    places = placed_leaves(tree, TreeQuestion(rows, load, form))
+    work = applied(rows, load) if has_room else ()
+    return _with_leaves(tree, lambda: _carried_leaf(family, value, rows, work, *next(places)))
 
 
 def _carried_leaf(
-    family: ParametricQuestion, value: Fraction, rows: Sequence[Any], leaf: Leaf, place: Place
+    family: ParametricQuestion,
+    value: Fraction,
+    rows: Sequence[Any],
+    work: Sequence[Any],
+    leaf: Leaf,
+    place: Place,
 ) -> Any:
     """Return a leaf of `_carried_tree`.
 
     It solves linear equations. What depends on the displacement cancels. As far as they are
     independent, there follow what holds at the value: multipliers are 0, or as large as possible,
     and a contact does not slip on the virtual motion.
+
+    Args:
+        work: that of the load on a virtual motion, as a row: then the leaf at the value is one with
+            most room, which holds on both sides of it, but less far; else it is the one given.
     """
     zero = Function.constant(0, Domain(Span(value, value), letter=family.letter))
-    n, size = len(leaf.motion), len(leaf.motion) + 2 * len(rows)
+    n, m = len(leaf.motion), len(rows)
+    size = n + 2 * m
 
     def equation(terms: Sequence[Any], k: int = 0, factor: int = 0) -> list[Any]:
         row = [*terms, *[zero] * (size + 1 - len(terms))]
         row[k] += factor
         return row
 
-    values, listed = [*leaf.motion], list[tuple[int, bool]]()
-    balance = [equation([]) for _ in leaf.motion]
-    zeros, largest = list[list[Any]](), list[list[Any]]()
+    values, balance = [*leaf.motion], [equation([]) for _ in leaf.motion]
+    conditions, slips = list[list[Any]](), list[list[Any]]()
+    implied, pushes = list[bool](), [zero] * (2 * m)
     for i, row in enumerate(rows):
         state = str(place.states.get(i, "undecided"))
         along, across = ([zero + x for x in wrench] for wrench in row.wrenches)
-        slip = sum(x.at(value) * y for x, y in zip(across, leaf.motion, strict=True))
-        sign = {"slip+": 1, "slip-": -1}.get(state, (slip > 0) - (slip < 0))
-        factor = [x - row.friction * sign * y for x, y in zip(along, across, strict=True)]
-        kappa = sum(x.at(value) * y for x, y in zip(factor, leaf.motion, strict=True))
-        # In a region a contact that is decided has these multipliers, if it is not listed.
-        is_implied = bool(place.region) and state not in ("undecided", "detached")
-        alpha, h = leaf.multipliers.get(i, (Fraction(kappa * is_implied), Fraction(0)))
-        k = len(values)
-        values += alpha, h
-        zeros += [equation([], j, 1) for j, number in ((k, alpha), (k + 1, h)) if not number]
-        if alpha == kappa and state != "detached":
-            largest.append(equation(factor, k, -1))
-        if not sign and row.friction.top:
-            largest.append(equation(across))
-        for line, x, y in zip(balance, along, across, strict=True):
+        k = n + 2 * i
+        pushes[2 * i] = zero + row.preload
+        for line, x, y in zip(balance[:n], along, across, strict=True):
             line[k], line[k + 1] = row.stiffness * x * -1, y
-        listed.append((k, is_implied))
-    solved = _solved([balance, zeros, largest], values, value)
+        if state in ("undecided", "detached"):
+            conditions.append(equation([], k, 1))
+        sign = {"slip+": 1, "slip-": -1}.get(state, 0)
+        if sign:
+            conditions.append(equation([], k + 1, -sign))
+        elif state != "stick":
+            balance.append(equation([], k + 1, 1))
+        least = []
+        for side in (sign,) if sign else (1, -1):
+            factor = [x - row.friction * side * y for x, y in zip(along, across, strict=True)]
+            least.append(sum(x.at(value) * y for x, y in zip(factor, leaf.motion, strict=True)))
+            if state != "detached":
+                conditions.append(equation(factor, k, -1))
+        if not sign and row.friction.top:
+            slips.append(equation(across))
+        # In a region a contact that is decided has these multipliers, if it is not listed.
+        implied.append(bool(place.region) and state not in ("undecided", "detached"))
+        values += leaf.multipliers.get(i, (Fraction(min(least) * implied[i]), Fraction(0)))
+    if work:
+        values = _with_most_room(conditions, balance, equation([*work, *pushes]), value)
+    zeros = [equation([], k, 1) for k in range(n, size) if not values[k]]
+    tight = [row for row in (*conditions, *slips) if not _at(row, values, value)]
+    solved = _solved([balance, zeros, tight], values, value)
     assert solved is not None  # Nothing is constant in these equations.
+    pairs = [solved[n + 2 * i : n + 2 * i + 2] for i in range(m)]
     multipliers = {
-        str(i): [x.text() for x in solved[k : k + 2]]
-        for i, (k, is_implied) in enumerate(listed)
-        if is_implied or any(x.top for x in solved[k : k + 2])
+        str(i): [x.text() for x in pair]
+        for i, pair in enumerate(pairs)
+        if implied[i] or any(x.top for x in pair)
     }
     motion = _motion_entry(family, solved[:n])
     is_short = isinstance(motion, list) and not multipliers
     return motion if is_short else {"virtual_motion": motion, "multipliers": multipliers}
+
+
+def _at(row: Sequence[Any], values: Sequence[Fraction], value: Fraction) -> Fraction:
+    """Return the sum of a row without its constant, with these unknowns, at a value."""
+    return sum((x.at(value) * y for x, y in zip(row, values, strict=False)), Fraction(0))
+
+
+def _with_most_room(
+    conditions: Sequence[Sequence[Any]],
+    equations: Sequence[Sequence[Any]],
+    work: Sequence[Any],
+    value: Fraction,
+) -> list[Fraction]:
+    """Return unknowns with which each condition is above 0 that is so for some; and the work is 1.
+
+    The rows are homogeneous; so each condition may be 1, if it is above 0.
+    """
+    size, count = len(work) - 1, len(conditions)
+
+    def row(terms: Sequence[Any], slack: int = -1, constant: int = 0) -> list[Fraction]:
+        slacks = [Fraction(-(k == slack)) for k in range(count)]
+        return [*(x.at(value) for x in terms[:size]), *slacks, Fraction(constant)]
+
+    bounds = [
+        [Fraction(sign * (j == size + k)) for j in range(size + count)] + [Fraction(sign < 0)]
+        for k in range(count)
+        for sign in (1, -1)
+    ]
+    found = minimize(
+        [*[Fraction(0)] * size, *[Fraction(-1)] * count],
+        [*(row(terms, k) for k, terms in enumerate(conditions)), *bounds],
+        [*map(row, equations), row(work, constant=-1)],
+    )
+    assert isinstance(found, Optimal)  # There is the leaf of the tree.
+    return list(found.point[:size])
 
 
 def _motion_entry(family: ParametricQuestion, motion: Sequence[Any]) -> Any:

@@ -27,6 +27,7 @@ from .plane import Region, polygon_cycle
 from .resisted_set import ResistedSet
 from .search_map import SearchMap
 from .spatial import SpatialMagnitudes
+from .sufficient_friction import SufficientFriction
 
 if TYPE_CHECKING:
     from arrangement.numbers.functions import Span
@@ -337,6 +338,20 @@ def values_answer(answer: ResistedValues) -> Answer:
     """Return the intervals of a parameter with proofs, and what is between them."""
     yes = True if answer.resisted else None if answer.gaps else False
     return Answer(answer.to_dict(), _values_lines(answer), yes)
+
+
+def friction_answer(answer: SufficientFriction) -> Answer:
+    """Return the least friction of some contacts, and the proofs on both sides."""
+    yes = True if answer.high is not None else False if answer.impossible else None
+    return Answer(answer.to_dict(), _friction_lines(answer), yes)
+
+
+def _friction_lines(answer: SufficientFriction) -> Iterator[str]:
+    least = _friction(answer.low, answer.high)
+    yield f"least friction of {listed_contacts(answer.contacts)}: {least}"
+    if answer.from_1 is not None:
+        yield "no friction up to 1 is proved to be enough; above 1 it is 1/f with f below 1:"
+    yield from _values_lines(answer.values)
 
 
 def _values_lines(answer: ResistedValues) -> Iterator[str]:

@@ -11,12 +11,13 @@ import pytest
 from arrangement import InputError
 from arrangement.numbers.expressions import read_expression
 from arrangement.numbers.functions import Domain, Function, Span, Undecided
-from equilibrium import resisted_values, solve
+from equilibrium import GraspError, ResistedSet, read_grasp, resisted_values, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs.parameter import read_parametric
 from equilibrium.model.solution import Solution
+from equilibrium.wrench_sets.sufficient_friction import sufficient_friction
 
 F = Fraction
 
@@ -102,8 +103,6 @@ def test_angles_end_within_a_bracket(document, ends, tangent):
 
 def test_loads_have_the_ends_that_magnitudes_have():
     """A family that is linear in the load: `along` answers it by other programs."""
-    from equilibrium import ResistedSet, read_grasp
-
     source = read_grasp("paper-three-contacts")
     for direction in ((1, 0, 0), (0, -1, 0), (1, 2, -1)):
         document = source.to_dict() | {"wrench": [f"{x}*t" for x in direction]}
@@ -334,6 +333,77 @@ def test_comparisons_have_one_answer_or_none():
     assert F(2, 3) < narrowed.span.high < F(866025404, 10**9)
 
 
+#: The ladder smooth at both ends.
+SMOOTH = {**LADDER, "contacts": [{**x, "friction": "0"} for x in LADDER["contacts"]]}
+
+
+@pytest.mark.parametrize(
+    ("document", "contacts", "least"),
+    [
+        (SMOOTH, [1], F(2, 3)),
+        # tan of the ladder's angle is 3/4 = (1 - f^2) / (2 f).
+        (SMOOTH, [1, 2], F(1, 2)),
+        (SMOOTH, [2], None),
+        # Both slip: the floor bears n and n/3, the wall n/3 and f n/3 with n (1 + f/3) = 1; moments
+        # about the foot give 3/3 n + 4 f/3 n = 2, so f = 3/2.
+        (
+            {
+                **SMOOTH,
+                "contacts": [{**SMOOTH["contacts"][0], "friction": "1/3"}, SMOOTH["contacts"][1]],
+            },
+            [2],
+            F(3, 2),
+        ),
+        (STACK, [3, 4], F(1, 7)),
+    ],
+)
+def test_least_friction_of_named_contacts(document, contacts, least):
+    if document is STACK:
+        document = {**STACK, "wrench": {"lower": ["0", "-1", "0"], "upper": ["1/7", "-1", "-1/7"]}}
+    answer = sufficient_friction(document, contacts)
+    assert (answer.low, answer.high, answer.impossible) == (least, least, least is None)
+    asked = [x for x in (answer.up_to_1, answer.from_1) if x is not None]
+    assert len(asked) == (2 if least is None or least > 1 else 1)
+    assert all(all(x.verify()) for x in asked)
+    assert all(x.complete for x in asked)
+
+
+def test_least_friction_is_in_the_bracket_of_all_states():
+    """`Margin.friction` refutes ranges by linear programs of all contact states."""
+    bounded = 0
+    for seed in range(14):
+        source = Random(f"friction {seed}")
+        contacts = [
+            (
+                [str(source.randint(-2, 2)) for _ in "xy"],
+                source.choice(NORMALS),
+                "1/2",
+                {"preload": source.choice("012")},
+            )
+            for _ in range(source.randint(2, 3))
+        ]
+        document = grasp(*contacts, wrench=[str(source.randint(-2, 2)) for _ in range(3)])
+        chosen = [1, len(contacts)][: source.randint(1, 2)]
+        answer = sufficient_friction(document, chosen, tolerance="1/10000")
+        margin = ResistedSet(
+            read_grasp({k: x for k, x in document.items() if k != "wrench"})
+        ).margin(document["wrench"])
+        other = margin.friction("1/1000", chosen)
+        assert answer.impossible == other.impossible
+        if answer.high is not None:
+            assert answer.low <= other.high
+            assert other.low <= answer.high
+            bounded += 1
+    assert bounded > 4
+
+
+def test_friction_of_no_contacts_is_refused():
+    with pytest.raises(GraspError, match="expected at least one number"):
+        sufficient_friction(SMOOTH, [])
+    with pytest.raises(GraspError, match="numbers of contacts from 1 to 2"):
+        sufficient_friction(SMOOTH, [3])
+
+
 def test_tables_and_the_command(tmp_path, capsys):
     table = tmp_path / "ladder.csv"
     table.write_text("x,y,nx,ny,mu\n0,0,0,1,t\n4,3,-1,0,0\n")
@@ -361,5 +431,17 @@ def test_tables_and_the_command(tmp_path, capsys):
     on = ["--on", "lower", "0", "-1", "0", "--on", "upper", "1/4", "-1", "-1/4"]
     assert main(["resisted", str(stack), *on, "--parameter", "t=0..1"]) == 0
     assert "resisted for 1/4 <= t <= 1\n" in capsys.readouterr().out
+    weight = ["resisted", str(table), "--weight", "1", "--at", "2", "3/2"]
+    assert main([*weight, "--parameter", "t=0..1"]) == 0
+    assert "resisted for 2/3 <= t <= 1\n" in capsys.readouterr().out
+    table.write_text("x,y,nx,ny,mu\n0,0,0,1,0\n4,3,-1,0,0\n")
+    assert main([*weight, "--friction", "1"]) == 0
+    assert capsys.readouterr().out.startswith(
+        "least friction of contact 1: 2/3\nresisted for 2/3 <= f"
+    )
+    assert main([*weight, "--friction", "2"]) == 1
+    assert "contact 2: none is enough\nno friction up to 1" in capsys.readouterr().out
+    assert main([*weight, "--friction", "1", "--parameter", "t=0..1"]) == 2
+    assert "--parameter and --friction are two questions" in capsys.readouterr().err
     assert main([*line, "--margin"]) == 2
     assert "--margin goes with a load" in capsys.readouterr().err

@@ -33,7 +33,12 @@ def read_range(text: str) -> tuple[str, str, str]:
 
 
 def read_parametric(source: Source, letter: str = "t", wrench: Any = None) -> ParametricQuestion:
-    """Read a question whose numbers may be expressions in a letter.
+    """Read a question whose numbers may be expressions in a letter; see `question_document`."""
+    return ParametricQuestion(question_document(source, wrench), letter)
+
+
+def question_document(source: Source, wrench: Any = None) -> dict[str, Any]:
+    """Read the document of a question whose numbers may be expressions.
 
     Args:
         source: a path, ``"-"`` (stdin), a built-in name or a mapping: a document of a grasp in the
@@ -58,7 +63,7 @@ def read_parametric(source: Source, letter: str = "t", wrench: Any = None) -> Pa
             'there is no wrench; give one, or write the key "wrench" into the document'
         )
     document.pop("description", None)
-    return ParametricQuestion(document, letter)
+    return document
 
 
 def _of_table(text: str) -> dict[str, Any]:
