@@ -97,5 +97,4 @@ attach(
     }
 )
 
-# Without __all__, help() shows this page alone.
 __getattr__, __dir__ = lazy_names(__name__, __file__, _SYNONYMS)

@@ -29,5 +29,4 @@ What checking it returns
 from arrangement import __version__ as __version__
 from arrangement.console.plugins import lazy_names
 
-# Without __all__, help() shows this page alone.
 __getattr__, __dir__ = lazy_names(__name__, __file__)

@@ -126,7 +126,7 @@ WITH_ALL = (
 #: Run in the environment: all modules import, all data files are read, rich display does not fail.
 PROBE = """
 import importlib, importlib.util, pkgutil
-import arrangement.errors
+import arrangement.errors, slipstates
 from importlib.resources import files
 for absent in ("matplotlib", "scipy", "trimesh", "clarabel", "jinja2", "igraph", "dask", "pytest"):
     assert importlib.util.find_spec(absent) is None, absent + " is not a dependency"

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 import arrangement
+from proofs_check import slipstates
 from proofs_check.claims import registry
 from proofs_check.reports.text import summary
 from tests import mutant_targets
@@ -29,6 +30,26 @@ def test_every_exported_name_loads(package):
     assert [name for name in names if getattr(module, name, None) is None] == []
     assert [name for name in names if name not in (module.__doc__ or "")] == []
     assert len(pydoc.render_doc(module).splitlines()) <= 80
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_star_import_gives_the_public_names(package):
+    module, names = importlib.import_module(package), dict[str, object]()
+    exec(f"from {package} import *", names)  # noqa: S102
+    assert names.items() >= {name: getattr(module, name) for name in dir(module)}.items()
+
+
+def test_name_of_the_distribution_says_where_things_are():
+    assert slipstates.arrangement is arrangement
+    for name, package in (("Arrangement", "arrangement"), ("Grasp", "equilibrium")):
+        with pytest.raises(AttributeError, match=f"from {package} import {name}"):
+            getattr(slipstates, name)
+    with pytest.raises(AttributeError, match="says where things are"):
+        slipstates.nothing  # noqa: B018
+    # Where the package is installed, it is the module `slipstates`.
+    included = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["hatch"]["build"]
+    (source,) = included["targets"]["wheel"]["force-include"]
+    assert (ROOT / source).samefile(slipstates.__file__)
 
 
 @pytest.mark.parametrize("package", PACKAGES)

@@ -63,8 +63,8 @@ def lazy_names(
 ) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
     """Return ``__getattr__`` and ``__dir__`` of a package whose names load when first used.
 
-    The names are those of ``__init__.pyi`` beside the file. A package has no ``__all__``, so that
-    ``help`` shows its docstring alone.
+    The names are those of ``__init__.pyi`` beside the file. They are also ``__all__``, but not for
+    `pydoc`: ``help`` shows the docstring of the package alone, not thousands of lines.
 
     Args:
         synonyms: other words for the names, each with what to write here.
@@ -83,6 +83,8 @@ def lazy_names(
     def get(name: str) -> Any:
         if name in known:
             return get_known(name)
+        if name == "__all__" and sys._getframe(1).f_globals.get("__name__") != "pydoc":
+            return names()
         raise missing_attribute(sys.modules[package], name, synonyms or {})
 
     return get, names

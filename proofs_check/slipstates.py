@@ -1,0 +1,33 @@
+"""The distribution slipstates has three packages, and this module says where things are.
+
+arrangement     hyperplane arrangements: Arrangement, read_arrangement, families, census
+equilibrium     frictional grasps: Contact, Grasp, solve, ResistedSet, read_grasp, verify
+proofs_check    claims: claim, family, evaluate, registry
+
+The commands are ``arrangement``, ``equilibrium`` and ``proofs-check``. ``help(arrangement)`` and so
+on list the names of a package; a name that is asked of this module is answered with its package.
+"""
+
+from __future__ import annotations
+
+import arrangement as arrangement
+import equilibrium as equilibrium
+import proofs_check as proofs_check
+from arrangement import __version__ as __version__
+
+__all__ = ["arrangement", "equilibrium", "proofs_check"]
+
+
+def __getattr__(name: str) -> object:
+    for package in (arrangement, equilibrium, proofs_check):
+        if name in dir(package):
+            where = package.__name__
+            raise AttributeError(f"{name} is in {where}: from {where} import {name}", name=name)
+    raise AttributeError(
+        f"module 'slipstates' has no attribute {name!r}; help(slipstates) says where things are",
+        name=name,
+    )
+
+
+if __name__ == "__main__":
+    print(__doc__)
