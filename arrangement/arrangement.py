@@ -525,11 +525,11 @@ class Arrangement(HintsMixin, Planes):
         return attached("Arrangement.lab")(self)
 
     def _repr_svg_(self) -> str | None:
-        """Return what a notebook shows: the great circles, where there are any."""
+        """Return what a notebook shows: the picture of `draw`, where there is one."""
         text: str | None = attached("Arrangement._repr_svg_")(self)
         return text
 
-    def _repr_html_(self) -> str | None:
-        """Return what a notebook shows where there is no picture: a table of counts."""
-        text: str | None = attached("Arrangement._repr_html_")(self)
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: the picture, where there is one, and a table of counts."""
+        text: str = attached("Arrangement._repr_html_")(self)
         return text

@@ -5,11 +5,13 @@ matplotlib, Pillow and ffmpeg are looked for when a picture is written.
 
 from __future__ import annotations
 
+import base64
 import io
 import os
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import AbstractContextManager
 from difflib import get_close_matches
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -174,3 +176,11 @@ def svg_text(make: Callable[[], Figure]) -> str | None:
         return picture_bytes(".svg", make).decode("utf-8")
     except (InputError, MissingExtraError):
         return None
+
+
+def image(svg: str | None, alt: str) -> str:
+    """Return a picture as an element of HTML that needs nothing else; empty without one."""
+    if svg is None:
+        return ""
+    data = base64.b64encode(svg.encode("utf-8")).decode("ascii")
+    return f'<img alt="{escape(alt)}" src="data:image/svg+xml;base64,{data}"/>'

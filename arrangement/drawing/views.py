@@ -478,7 +478,7 @@ class Drawings:
             raise InputError("ax takes one view; draw each of several into axes of its own")
         return drawing(self._scene(subject, name, None, {"width": WHOLE, **own}))
 
-    def svg(self, subject: Any, view: str, **options: Any) -> str | None:
+    def svg(self, subject: Any, view: str | None = None, **options: Any) -> str | None:
         """Return a picture as SVG text; None without matplotlib, or when `write` would refuse."""
         return svg_text(_within_floats()(lambda: self.draw(subject, view, **options)))
 

@@ -8,11 +8,8 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import DrawnRegion as DrawnRegion
-from arrangement.drawing.output import save_figure as save_figure
-from arrangement.drawing.scene import require_matplotlib
+from arrangement.drawing.output import image, save_figure as save_figure
 from arrangement.drawing.views import Drawings, ViewEntry, compose as compose
-from arrangement.errors import MissingExtraError
-from arrangement.numbers import budget
 from arrangement.pictures.coordinates import DUAL_MODEL, RANKS
 from arrangement.planes.planes import Planes
 
@@ -82,16 +79,12 @@ MOST_PLANES, MOST_DIMENSIONS = 10, 4
 
 
 def arrangement_svg(arrangement: Arrangement) -> str | None:
-    """Return the great circles as SVG text; None where there is no such picture."""
-    if not _has_picture(arrangement):
-        return None
-    return DRAWINGS.svg(arrangement, "sphere")
+    """Return the picture of `Arrangement.draw` as SVG text; None where there is none."""
+    return DRAWINGS.svg(arrangement)
 
 
-def arrangement_html(arrangement: Arrangement) -> str | None:
-    """Return a table of counts; None where a picture is shown instead."""
-    if _has_picture(arrangement):
-        return None
+def arrangement_html(arrangement: Arrangement) -> str:
+    """Return the picture, where there is one, and a table of counts."""
     kind = "central" if arrangement.is_central else "affine"
     rows = [
         ("space", f"R<sup>{arrangement.dimension}</sup>"),
@@ -102,15 +95,5 @@ def arrangement_html(arrangement: Arrangement) -> str | None:
         counts = enumerate(arrangement.f_vector)
         rows += [(f"faces of dimension {k}", str(number)) for k, number in counts]
     cells = "".join(f"<tr><th>{escape(name)}</th><td>{text}</td></tr>" for name, text in rows)
-    return f"<table><caption>Arrangement</caption>{cells}</table>"
-
-
-def _has_picture(arrangement: Arrangement) -> bool:
-    """Return whether there are great circles, few enough, and matplotlib to draw them."""
-    if arrangement.dimension != 3 or not arrangement.is_central or arrangement.rank < 3:
-        return False
-    try:
-        require_matplotlib()
-    except MissingExtraError:
-        return False
-    return len(arrangement.distinct) <= budget.max_size("great circles in a picture")
+    table = f"<table><caption>Arrangement</caption>{cells}</table>"
+    return f"<div>{image(arrangement_svg(arrangement), 'the arrangement')}{table}</div>"

@@ -5,7 +5,6 @@ Tables are plain HTML without scripts, for which no extra is needed.
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Iterable
 from contextlib import suppress
 from fractions import Fraction
@@ -13,7 +12,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from arrangement.console.number_form import Form, counted
-from arrangement.drawing.output import svg_text
+from arrangement.drawing.output import image, svg_text
 from arrangement.drawing.views import drawing
 from arrangement.numbers import budget
 from arrangement.numbers.exact import to_text
@@ -54,14 +53,6 @@ def verdict_svg(verdict: Verdict) -> str | None:
 def verdict_html(verdict: Verdict) -> str:
     """Return the answer as HTML: the picture, and the table of `verdict_table`."""
     return f"<div>{image(verdict_svg(verdict), 'the grasp')}{verdict_table(verdict)}</div>"
-
-
-def image(svg: str | None, alt: str) -> str:
-    """Return a picture as an element of HTML that needs nothing else; empty without one."""
-    if svg is None:
-        return ""
-    data = base64.b64encode(svg.encode("utf-8")).decode("ascii")
-    return f'<img alt="{escape(alt)}" src="data:image/svg+xml;base64,{data}"/>'
 
 
 def verdict_table(verdict: Verdict) -> str:

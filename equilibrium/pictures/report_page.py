@@ -13,6 +13,7 @@ from html import escape
 from typing import NamedTuple
 
 from arrangement.console.number_form import LABEL, counted
+from arrangement.drawing.output import image
 from arrangement.drawing.pages import BASE_STYLE, CARD_STYLE, Template, framed
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval
@@ -21,7 +22,7 @@ from equilibrium.model.contact import joined
 from equilibrium.model.displacement import STIFFNESS_ASSUMED, has_unit
 from equilibrium.model.grasp import Grasp
 
-from .notebook import image, verdict_svg, verdict_table
+from .notebook import verdict_svg, verdict_table
 from .style import wrench_text
 from .views import DRAWINGS
 
