@@ -28,6 +28,7 @@ from .enumeration.sequence import FaceSequence
 from .enumeration.subdivision import Cut, cut
 from .errors import HintsMixin, InputError
 from .numbers.exact import shown, vector_text
+from .planes.drawable import DrawableArrangement
 from .planes.faces import Face
 from .planes.identification import Identification
 from .planes.planes import Planes
@@ -37,11 +38,10 @@ if TYPE_CHECKING:
     import networkx as nx
     import sympy
 
-    from .drawing.path_artist import Drawing
     from .duals.zonotope import Zonotope
 
 
-class Arrangement(HintsMixin, Planes):
+class Arrangement(HintsMixin, DrawableArrangement, Planes):
     """A hyperplane arrangement: finitely many hyperplanes in R^d, and its faces.
 
     The planes are ``n_i . x = b_i``. Each keeps its own orientation and its place in the input. It
@@ -496,21 +496,6 @@ class Arrangement(HintsMixin, Planes):
             proved: let the program that is proved in Coq count them and check the list.
         """
         return completeness.certify_complete(self, self.faces(), proved=proved)
-
-    def draw(self, view: str | None = None, **options: Any) -> Drawing:
-        """Draw a picture as a figure of matplotlib (the extra ``figures``), which writes TikZ, too.
-
-        Args:
-            view: "sphere", "planes", "cells", "lines", "stereographic", "gnomonic", "dual",
-                "section", "graph", "poset" or "lattice"; if omitted, the one that suits best.
-            options: those of the view, such as ``draw_sphere``; ``ax`` to draw into axes of yours.
-
-        Raises:
-            InputError: an unknown view or option, or planes that the view cannot show.
-            MissingExtraError: matplotlib is absent.
-        """
-        made: Drawing = attached("Arrangement.draw").draw(self, view, **options)
-        return made
 
     def lab(self) -> Any:
         """Return a page in which these planes are dragged and counted; a notebook shows it.

@@ -34,13 +34,13 @@ from .contact import (
     spread,
     wrench_at,
 )
+from .drawable import DrawableGrasp
 from .errors import GraspError
 from .labels import DataError, Units
 from .outline import Circle, Mesh, Outline, Polygon, coordinates, read_outline
 
 if TYPE_CHECKING:
     from arrangement import Arrangement
-    from arrangement.drawing.path_artist import Drawing
 
 
 #: The coordinates of the space of motions in the plane.
@@ -55,7 +55,7 @@ def ask_contacts(count: int) -> None:
 
 
 @dataclass(frozen=True)
-class Grasp(HintsMixin):
+class Grasp(HintsMixin, DrawableGrasp):
     """Finitely many contacts on one rigid object, all in the plane or all in space.
 
     None is allowed too, and is a grasp in the plane.
@@ -341,21 +341,6 @@ class Grasp(HintsMixin):
     def with_outline(self, outline: Outline | None) -> Grasp:
         """Return the same grasp with the shape of its object stated, or with none."""
         return replace(self, outline=outline)
-
-    def draw(self, view: str | None = None, **options: Any) -> Drawing:
-        """Draw a picture as a figure of matplotlib (the extra ``figures``), which writes TikZ, too.
-
-        Args:
-            view: "grasp", "resist", "slice", "polar", "compare", "methods", "proof" or
-                "wrench-set"; if omitted, the first.
-            options: those of the view, such as ``wrench``; ``ax`` to draw into axes of yours.
-
-        Raises:
-            InputError: an unknown view or option, or a grasp that the view cannot show.
-            MissingExtraError: matplotlib is absent.
-        """
-        made: Drawing = attached("Grasp.draw").of(self).draw(self, view, **options)
-        return made
 
     def lab(self) -> Any:
         """Return a page in which contacts and load are dragged; a notebook shows it in a cell.
