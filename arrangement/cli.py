@@ -38,8 +38,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     return terminal.run(_parser(), argv)
 
 
-#: Names of earlier releases, and guesses, with what to write now.
-_RENAMED = {
+#: Other words for commands and options, with what to write.
+_SYNONYMS = {
     "polynomial": "arrangement count FILE",
     "chambers": "arrangement count FILE",
     "regions": "arrangement count FILE",
@@ -58,7 +58,7 @@ def _parser() -> Parser:
     parser = terminal.command_parser(
         "arrangement",
         "Count, enumerate, identify and draw hyperplane arrangements, exactly.",
-        _RENAMED,
+        _SYNONYMS,
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 

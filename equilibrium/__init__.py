@@ -50,7 +50,7 @@ Pictures and errors
 from arrangement import __version__ as __version__
 from arrangement.console.plugins import attach, lazy_names
 
-#: Other words for the names, and earlier names, each with what to write here.
+#: Other words for the names, each with what to write here.
 _SYNONYMS = {
     "AssemblyVerdict": "Verdict",
     "LiteralVerdict": "solve(grasp, wrench, as_printed=[...])",

@@ -44,18 +44,19 @@ UNDECIDED = 3
 _BROKEN_PIPE = 141
 
 
-def command_parser(prog: str, description: str, renamed: Mapping[str, str] | None = None) -> Parser:
+def command_parser(
+    prog: str, description: str, synonyms: Mapping[str, str] | None = None
+) -> Parser:
     """Return the parser of one program, with the options that print and end.
 
     Args:
-        renamed: commands and options of earlier releases and of other programs, with what to
-            write now.
+        synonyms: other words for commands and options, each with what to write.
     """
     every = ("yes or done", "no or refuted", "undecided", "internal error")
     parser = Parser(prog=prog, description=description, epilog=_exit_codes(every))
     parser.add_argument("--version", action=Version)
     parser.add_argument("--print-completion", action=PrintCompletion)
-    parser.renamed = renamed or {}
+    parser.synonyms = synonyms or {}
     return parser
 
 
@@ -73,7 +74,7 @@ def add_command(commands: Any, name: str, text: str, *answers: str, heading: str
     if heading:
         commands.program.headings.setdefault(heading, []).append((name, text))
     added = commands.add_parser(name, help=text, description=whole, epilog=codes)
-    added.renamed = commands.program.renamed
+    added.synonyms = commands.program.synonyms
     return added
 
 

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 from arrangement.console import terminal
 from arrangement.console.options.parser import Parser
 from arrangement.console.options.signature import Option, options_of
-from arrangement.drawing.views import RENAMED_OPTIONS
+from arrangement.drawing.views import OPTION_SYNONYMS
 from arrangement.errors import InputError
 
 from .views import KINDS, Drawings, Printing
@@ -74,8 +74,8 @@ def add_options(
     for flag in uses:
         if flag not in own:
             _add(parser, uses[flag], asked)
-    names = {f"--{old}": f"--{new}" for old, new in RENAMED_OPTIONS.items() if new in uses}
-    parser.renamed = {**parser.renamed, **names}
+    names = {f"--{old}": f"--{new}" for old, new in OPTION_SYNONYMS.items() if new in uses}
+    parser.synonyms = {**parser.synonyms, **names}
     added = {*parser._actions} - before
     if asked:
         _describe(parser, drawings, asked)

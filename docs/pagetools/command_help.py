@@ -1,4 +1,4 @@
-"""The directives command-table, command-help and old-names: the parsers of the three programs.
+"""The directives command-table, command-help, command-synonyms: parsers of the programs.
 
 The argument of command-table is a program: shown is a table of its commands, with links to their
 pages in the folder commands.
@@ -38,12 +38,12 @@ def commands_of(parser):
     return {name: command for action in listed for name, command in action.choices.items()}
 
 
-def old_names():
-    """Return rows of old names: program, name, what to write now."""
+def synonym_rows():
+    """Return rows of other words: program, word, what to write."""
     return [
-        (program, old, now)
+        (program, word, name)
         for program in PROGRAMS
-        for old, now in parser_of(program).renamed.items()
+        for word, name in parser_of(program).synonyms.items()
     ]
 
 
@@ -97,10 +97,10 @@ class CommandTable(SphinxDirective):
         return self.parse_text_to_nodes("\n".join(lines))
 
 
-class OldNames(SphinxDirective):
+class CommandSynonyms(SphinxDirective):
     def run(self):
-        rows = [("Program", "Old name", "Write")] + [
-            (program, f"``{old}``", f"``{now}``") for program, old, now in old_names()
+        rows = [("Program", "Word", "Write")] + [
+            (program, f"``{word}``", f"``{name}``") for program, word, name in synonym_rows()
         ]
         lines = [".. list-table::", "   :header-rows: 1", ""]
         for row in rows:
@@ -111,4 +111,4 @@ class OldNames(SphinxDirective):
 def setup(app):
     app.add_directive("command-table", CommandTable)
     app.add_directive("command-help", CommandHelp)
-    app.add_directive("old-names", OldNames)
+    app.add_directive("command-synonyms", CommandSynonyms)

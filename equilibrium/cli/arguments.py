@@ -110,6 +110,8 @@ def add_applied(
     ways: Any = parser.add_mutually_exclusive_group(required=required)
     add_wrench(ways, name, text, None)
     add_force(parser, ways)
+    whole: Any = getattr(parser, "_container", parser)  # a group knows its parser
+    whole.for_numbers = f"{name} {' '.join(_AXES)}"
     return ways
 
 

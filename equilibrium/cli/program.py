@@ -11,8 +11,8 @@ from arrangement.console.options.parser import Parser
 from . import draw, info, inputs, resisted, solve, verify
 from .arguments import add_command
 
-#: Names of earlier releases, and guesses, with what to write now.
-_RENAMED = {
+#: Other words for commands and options, with what to write.
+_SYNONYMS = {
     "limit": "equilibrium resisted GRASP LOAD, or equilibrium resisted GRASP --smallest",
     "margin": "equilibrium resisted GRASP LOAD --margin",
     "region": "equilibrium resisted GRASP --slice U V",
@@ -25,22 +25,16 @@ _RENAMED = {
     "modes": "equilibrium info GRASP --modes",
     "figure": "equilibrium draw GRASP --view slice -o FILE.json",
     "export": "equilibrium draw GRASP --model scene -o FILE.xml",
-    "gaps": "proofs-check new NAME --example gaps",
-    "survey": "proofs-check new NAME --example survey",
     "stability": "equilibrium resisted",
     "limits": "equilibrium resisted",
     "plot": "equilibrium draw",
     "show": "equilibrium draw",
-    "check": "equilibrium verify",
+    "check": "equilibrium verify CERTIFICATE, or equilibrium solve GRASP LOAD",
     "convert": "equilibrium make",
     "--any-direction": "--smallest",
     "--direction": "--wrench",
     "--directions": "--rays",
-    "--first": "--slice U V",
-    "--second": "--slice U V",
     "--largest": "--max-magnitude",
-    "--largest-turn": "--max-displacement",
-    "--largest-force": "--max-displacement",
     "--length": "--torque-length",
     "--literal": "--as-printed",
     "--proved": "--verified",
@@ -58,7 +52,7 @@ def _parser() -> Parser:
     parser = terminal.command_parser(
         "equilibrium",
         "Decide passive stability of frictional grasps exactly, with certificates.",
-        _RENAMED,
+        _SYNONYMS,
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     solve.add_command_solve(commands)

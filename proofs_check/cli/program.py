@@ -11,8 +11,8 @@ from arrangement.console import terminal
 from arrangement.console.options import values
 from arrangement.console.options.parser import Parser
 
-#: Names of earlier releases, and guesses, with what to write now.
-_RENAMED = {
+#: Other words for commands and options, with what to write.
+_SYNONYMS = {
     "check": "proofs-check run",
     "verify": "proofs-check run",
     "show": "proofs-check list ID",
@@ -51,7 +51,7 @@ def _parser() -> Parser:
     parser = terminal.command_parser(
         "proofs-check",
         "Verify counting claims about arrangements and grasps by independent implementations.",
-        _RENAMED,
+        _SYNONYMS,
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 

@@ -141,7 +141,7 @@ def test_a_guess_of_the_field_is_answered(capsys):
     for word, answer in (("chambers", "arrangement count FILE"), ("plot", "arrangement draw")):
         with pytest.raises(SystemExit):
             main([word])
-        assert f"'{word}' is now '{answer}'" in capsys.readouterr().err
+        assert f"there is no '{word}'; write '{answer}'" in capsys.readouterr().err
     assert main(["count", "A3"]) == 2
     assert "did you mean the built-in braid-a3" in capsys.readouterr().err
 

@@ -42,15 +42,15 @@ def parsed(*arguments: str) -> argparse.Namespace:
     return parser_for(None).parse_args(["go", *arguments])
 
 
-def test_old_names_are_answered_with_the_new(capsys):
-    renamed = {"walk": "demo go --fast", "--speed": "--wrench"}
-    parser = terminal.command_parser("demo", "A demonstration.", renamed)
+def test_other_words_are_answered_with_the_name(capsys):
+    synonyms = {"walk": "demo go --fast", "--speed": "--wrench"}
+    parser = terminal.command_parser("demo", "A demonstration.", synonyms)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     terminal.add_command(commands, "go", "go there", heading="common")
     for words, answer in (
-        (["walk"], "error: 'walk' is now 'demo go --fast' ("),
-        (["go", "--speed", "3"], "error: '--speed' is now '--wrench' ("),
-        (["go", "--speed=3"], "error: '--speed' is now '--wrench' ("),
+        (["walk"], "error: there is no 'walk'; write 'demo go --fast' ("),
+        (["go", "--speed", "3"], "error: there is no '--speed'; write '--wrench' ("),
+        (["go", "--speed=3"], "error: there is no '--speed'; write '--wrench' ("),
     ):
         with pytest.raises(SystemExit) as stopped:
             parser.parse_args(words)

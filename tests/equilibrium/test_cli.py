@@ -166,7 +166,7 @@ def test_make_writes_the_file_that_it_prints(tmp_path, capsys):
     [
         ("limit ladder", "equilibrium resisted GRASP LOAD"),
         ("gws ladder", "equilibrium info GRASP --force-closure"),
-        ("survey", "proofs-check new NAME --example survey"),
+        ("check proof.json", "equilibrium verify CERTIFICATE, or equilibrium solve"),
         ("export ladder", "equilibrium draw GRASP --model scene -o FILE.xml"),
         ("resisted ladder --any-direction", "--smallest"),
         ("resisted ladder --direction 0 1 0", "--wrench"),
@@ -175,11 +175,18 @@ def test_make_writes_the_file_that_it_prints(tmp_path, capsys):
         ("make mesh a.stl --friction 1 --within 1", "--max-distance"),
     ],
 )
-def test_old_names_say_what_to_write_now(capsys, words, now):
+def test_other_words_say_what_to_write(capsys, words, now):
     with pytest.raises(SystemExit) as stopped:
         main(words.split())
     assert stopped.value.code == 2
-    assert f" is now '{now}" in capsys.readouterr().err
+    assert f"; write '{now}" in capsys.readouterr().err
+
+
+def test_numbers_that_stand_alone_name_the_option_of_the_wrench(capsys):
+    with pytest.raises(SystemExit):
+        main(["solve", "ladder", "0", "-1", "0"])
+    expected = "unexpected argument '0'; write --wrench F_X F_Y TAU"
+    assert expected in capsys.readouterr().err
 
 
 def test_info_describes_a_grasp(capsys):

@@ -3,7 +3,7 @@
 * ``-1/2`` and ``-0.25`` are values, not options (`_negative_number_matcher`).
 * ``0,1,0`` and ``0, 1, 0`` are three numbers, where an option takes several (`_split_numbers`).
 * An option that is given twice, or has an empty value, is refused (`_get_values`, `_refuse_empty`).
-* Names that are misspelt or were renamed are answered with those that exist (`_check_value`,
+* Names that are misspelt or were synonyms are answered with those that exist (`_check_value`,
   `_unknown`), and every error is one line (`error`).
 * Help that cannot be written is an error (`_print_message`).
 * Options that take time to find out are added when their command is parsed (`lazy_options`).
@@ -42,8 +42,8 @@ class Parser(argparse.ArgumentParser):
         lazy_options: adds the options that take time to find out.
         variadic: options that take at least so many numbers as their ``nargs``.
         arguments: the words that are parsed.
-        renamed: commands and options of earlier releases and of other programs, with what to write
-            now.
+        for_numbers: the option that takes numbers which stand alone, as it is written.
+        synonyms: other words for commands and options, each with what to write.
         headings: the commands of a program under headings of its help: names with what they do.
         names: for arguments and options, by their destination, a function that returns the names
             that a shell completes them with.
@@ -56,7 +56,8 @@ class Parser(argparse.ArgumentParser):
         self.lazy_options: Callable[[], None] | None = None
         self.variadic: list[argparse.Action] = []
         self.arguments: Sequence[str] = ()
-        self.renamed: Mapping[str, str] = {}
+        self.synonyms: Mapping[str, str] = {}
+        self.for_numbers = ""
         self.headings: dict[str, list[tuple[str, str]]] = {}
         self.names: dict[str, Callable[[], Iterable[str]]] = {}
         #: Options with a value, in the order in which they are parsed.
@@ -130,18 +131,20 @@ class Parser(argparse.ArgumentParser):
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         """Name the nearest choices of a misspelt one."""
         if action.choices is not None and value not in action.choices:
-            if isinstance(action, argparse._SubParsersAction) and value in self.renamed:
-                raise argparse.ArgumentError(None, self._renamed(value))
+            if isinstance(action, argparse._SubParsersAction) and value in self.synonyms:
+                raise argparse.ArgumentError(None, self._synonym(value))
             known = list(action.choices)
             text = f"there is no {shown(value)}; expected one of {', '.join(known)}"
             raise argparse.ArgumentError(action, text + _suggestion(value, known))
 
-    def _renamed(self, word: str) -> str:
-        return f"{word!r} is now {self.renamed[word]!r}"
+    def _synonym(self, word: str) -> str:
+        return f"there is no {word!r}; write {self.synonyms[word]!r}"
 
     def _unknown(self, word: str) -> str:
-        if (name := word.partition("=")[0]) in self.renamed:
-            return self._renamed(name)
+        if (name := word.partition("=")[0]) in self.synonyms:
+            return self._synonym(name)
+        if self.for_numbers and re.fullmatch(r"[-+]?[0-9./]+", word):
+            return f"unexpected argument {shown(word)}; write {self.for_numbers}"
         kind = "unknown option" if word.startswith("-") else "unexpected argument"
         return f"{kind} {shown(word)}{_suggestion(word, self._option_string_actions)}"
 
