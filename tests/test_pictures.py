@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
-from matplotlib.colors import to_rgb
+from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 from PIL import Image
 
@@ -751,6 +751,7 @@ def test_help_without_a_view_lists_views_and_common_options(main, drawings, caps
     [
         (draw_planes, "braid-a3", "direction", "camera"),
         (draw_planes, "braid-a3", "base", "bottom"),
+        (draw_planes, "braid-a3", "color", "colour"),
         (draw_planes, "braid-a3", "plane", "section"),
         (draw_grasps, "ladder", "direction", "camera"),
         (draw_grasps, "ladder", "directions", "rays"),
@@ -759,14 +760,16 @@ def test_help_without_a_view_lists_views_and_common_options(main, drawings, caps
         (draw_grasps, "ladder", "piece", "equilibrium"),
     ],
 )
-def test_an_old_option_is_answered_with_its_new_name(main, words, old, new, tmp_path, capsys):
+def test_another_word_for_an_option_is_answered_with_its_name(
+    main, words, old, new, tmp_path, capsys
+):
     path = str(tmp_path / "a.svg")
     with pytest.raises(SystemExit):
         main(["draw", words, "-o", path, f"--{old}", "1", "2", "3"])
-    assert f"'--{old}' is now '--{new}'" in capsys.readouterr().err
+    assert f"there is no '--{old}'; write '--{new}'" in capsys.readouterr().err
 
 
-def test_an_old_keyword_raises_a_type_error_with_the_new_one(tmp_path):
+def test_another_word_for_a_keyword_raises_a_type_error_with_it(tmp_path):
     planes, grasp = read_arrangement("braid-a3"), read_grasp("three-fingers-on-a-ball")
     for call in (
         lambda: planes.draw("sphere", direction=(1, 2, 3)),
@@ -774,9 +777,9 @@ def test_an_old_keyword_raises_a_type_error_with_the_new_one(tmp_path):
         lambda: draw_sphere(planes, direction=(1, 2, 3)),
         lambda: write_drawing(planes, tmp_path / "a.svg", "planes", direction=(1, 2, 3)),
     ):
-        with pytest.raises(TypeError, match="'direction' is now 'camera'"):
+        with pytest.raises(TypeError, match="no option 'direction'; write 'camera'"):
             call()
-    with pytest.raises(TypeError, match="'axes' is now 'slice'"):
+    with pytest.raises(TypeError, match="no option 'axes'; write 'slice'"):
         grasp.draw("slice", axes="fx,fz")
     with pytest.raises(InputError, match="no option 'base'"):
         planes.draw("sphere", base="1")
@@ -807,9 +810,64 @@ def test_a_font_is_named_in_editable_text_and_measured(tmp_path):
 
 
 def test_a_font_that_is_not_installed_is_refused_with_near_names(tmp_path, capsys):
-    for font, expected in (("serif", "DejaVu Serif"), ("DejaVu Seriff", "DejaVu Serif")):
+    for font, expected in (("dejavu", "DejaVu Serif"), ("DejaVu Seriff", "DejaVu Serif")):
         with pytest.raises(InputError, match=expected):
             write_drawing(read_arrangement("braid-a3"), tmp_path / "a.svg", font=font)
     with pytest.raises(InputError, match="TeX sets"):
         write_drawing(read_arrangement("braid-a3"), tmp_path / "a.tex", font="DejaVu Sans")
     assert not [*tmp_path.iterdir()]
+
+
+def test_bounded_regions_and_others_have_colours_of_their_own():
+    lines = read_arrangement("shi-a2-affine")
+    for colour, bounded, others in (
+        ("bounded:gold,#0af", "#ffd700", "#00aaff"),
+        ("bounded:gold", "#ffd700", "#ffffff"),
+        ("gold", "#ffd700", "#ffd700"),
+    ):
+        made = lines.draw("lines", colour=colour)
+        fills = {x.name: x.style["fc"] for x in made.scene.items if "fc" in x.style}
+        for k, face in enumerate(lines.regions()):
+            expected = bounded if face.is_bounded else others
+            assert to_hex(fills[f"region-{k + 1}"]) == expected
+    with pytest.raises(InputError, match="bounded takes two colours and has 3"):
+        lines.draw("lines", colour="bounded:gold,red,blue")
+
+
+def test_planes_have_colours_of_the_user():
+    made = read_arrangement("coordinate-planes").draw("planes", colour="#ff0000,#00ff00,#0000ff")
+    facets = [item for item in made.scene.items if (item.name or "").startswith("facet-")]
+    brightest = {max(range(3), key=lambda k: to_rgb(item.style["fc"])[k]) for item in facets}
+    assert brightest == {0, 1, 2}
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_dots_and_background_of_a_picture_are_chosen(theme, tmp_path):
+    sizes, corners = [], []
+    for name, options in (("a.png", {"dpi": 72}), ("b.png", {"dpi": 144, "transparent": True})):
+        planes = read_arrangement("braid-a3")
+        write_drawing(planes, tmp_path / name, "sphere", theme=theme, **options)
+        with Image.open(tmp_path / name) as picture:
+            sizes.append(picture.width)
+            corners.append(picture.convert("RGBA").getpixel((0, 0))[3])
+    assert sizes[1] == pytest.approx(2 * sizes[0], abs=1)
+    assert corners == [255, 0]
+
+
+@pytest.mark.parametrize(
+    ("path", "options", "message"),
+    [
+        ("a.svg", {"dpi": 100}, "choice of .png"),
+        ("a.png", {"dpi": 5}, "dpi is 5; expected 20 to 2400"),
+        ("a.tex", {"transparent": True}, "is for .svg, .pdf and .png"),
+    ],
+)
+def test_dots_and_background_that_do_not_fit_are_refused(path, options, message, tmp_path):
+    with pytest.raises(InputError, match=message):
+        write_drawing(read_arrangement("braid-a3"), tmp_path / path, **options)
+
+
+def test_kinds_of_fonts_are_those_of_matplotlib():
+    assert font_settings("serif")["font.family"][0] == "DejaVu Serif"
+    assert font_settings("Sans-serif")["font.family"][0] == "DejaVu Sans"
+    assert font_settings("mono")["font.family"][0] == "DejaVu Sans Mono"

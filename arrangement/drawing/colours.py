@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import cycle
-from typing import Annotated, TypeAlias, TypeVar
+from typing import Annotated, Any, TypeAlias, TypeVar
 
 from arrangement.console.options.signature import Syntax
 from arrangement.errors import InputError, refusal
@@ -138,28 +138,44 @@ def colouring(
     """
     if isinstance(colour, str) and "=" in colour:
         colour = _some_regions(colour, regions)
-    name, own = _read_choice(colour)
+    name, own = read_choice(colour)
+    if name is None and len(own) == 1:
+        return Colouring(lambda _: own[0], None)
     scheme = _colouring(name, regions, pairs, firsts, orbits)
     return scheme.with_own(own, regions) if own else scheme
 
 
-def _read_choice(colour: Choice | None) -> tuple[str | Painter | None, list[str]]:
+def read_choice(
+    colour: str | Sequence[str] | Callable[..., str] | None,
+) -> tuple[Any, list[str]]:
+    """Return the name of a colouring, a function or None; and own colours as ``#rrggbb``.
+
+    Raises:
+        InputError: what follows a name is not a colour.
+    """
     if colour is None or callable(colour):
         return colour, []
     name, fills = "", list(colour)
     if isinstance(colour, str):
         name, colon, listed = colour.partition(":")
-        if not colon and (colour in COLOURINGS or ("," not in colour and "#" not in colour)):
+        if not colon and not is_colour(colour.partition(",")[0]):
             return colour, []
         name, listed = (name, listed) if colon else ("", colour)
         fills = listed.split(",")
-    return name or None, [_hex(text) for text in fills]
+    return name or None, [_hex(text.strip()) for text in fills]
+
+
+def is_colour(text: str) -> bool:
+    """Return whether a text is a colour of matplotlib, by name or as ``#rrggbb``."""
+    from matplotlib.colors import is_color_like
+
+    return text not in COLOURINGS and is_color_like(text.strip())
 
 
 def _hex(text: str) -> str:
-    from matplotlib.colors import is_color_like, to_hex
+    from matplotlib.colors import to_hex
 
-    if not is_color_like(text):
+    if not is_colour(text):
         raise InputError(f"{shown(text)} is not a colour; give names or #rrggbb, such as gold,#0af")
     return to_hex(text)
 
@@ -188,7 +204,7 @@ def _colouring(
     orbits: Callable[[], Sequence[int]] | None,
 ) -> Colouring:
     if isinstance(colour, str) and colour not in COLOURINGS:
-        raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
+        raise _unknown(colour, COLOURINGS)
     if colour == "orbits":
         if orbits is None:
             raise InputError(
@@ -238,8 +254,13 @@ def chosen(colour: str | Paint, painters: Mapping[str, Paint]) -> Paint:
     if not isinstance(colour, str):
         return colour
     if colour not in painters:
-        raise refusal(f"the colouring is {shown(colour)}", colour, painters)
+        raise _unknown(colour, painters)
     return painters[colour]
+
+
+def _unknown(colour: str, known: Iterable[str]) -> InputError:
+    remedy = "expected colours, such as gold or gold,#0072b2, or one of"
+    return refusal(f"the colouring is {shown(colour)}", colour, known, remedy)
 
 
 def orbit_colour(orbit: int) -> str:

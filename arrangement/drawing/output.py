@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.writing import write_bytes_atomically
-from arrangement.drawing.scene import require_matplotlib
+from arrangement.drawing.scene import DPI, require_matplotlib
 from arrangement.errors import InputError, MissingExtraError, refusal
 from arrangement.numbers.exact import shown
 
@@ -31,6 +31,8 @@ PAGES = (".html",)
 #: The first one is the default.
 LEGENDS = ("below", "right", "none")
 THEMES = ("light", "dark", "mono")
+#: Dots per inch of PNG that may be asked for.
+DPIS = range(20, 2401)
 
 
 #: What makes files repeat: fixed identifiers, no dates, letters as outlines.
@@ -82,14 +84,32 @@ def picture_bytes(
     suffix: str,
     make: Callable[[], Figure],
     letters: bool = False,
-    dpi: int = 300,
+    dpi: int | None = None,
     font: str | None = None,
+    transparent: bool = False,
 ) -> bytes:
-    """Return the figure that `make` returns as a file; in SVG with text instead of outlines."""
+    """Return the figure that `make` returns as a file.
+
+    Args:
+        letters: of SVG, text instead of outlines.
+        dpi: dots per inch of PNG; `DPI` if omitted.
+        transparent: without a background.
+    """
     stream = io.BytesIO()
     with own_settings(font_settings(font) | ({"svg.fonttype": "none"} if letters else {})):
-        make().savefig(stream, format=suffix[1:], dpi=dpi, metadata=_METADATA[suffix])
+        make().savefig(
+            stream,
+            format=suffix[1:],
+            dpi=DPI if dpi is None else dpi,
+            metadata=_METADATA[suffix],
+            transparent=transparent,
+        )
     return stream.getvalue()
+
+
+#: Kinds of fonts, each with one that comes with matplotlib.
+_GENERIC_FONTS = {"serif": "dejavu serif", "sans-serif": "dejavu sans", "sans": "dejavu sans"}
+_GENERIC_FONTS |= {"monospace": "dejavu sans mono", "mono": "dejavu sans mono"}
 
 
 def font_settings(font: str | None) -> dict[str, Any]:
@@ -106,6 +126,7 @@ def font_settings(font: str | None) -> dict[str, Any]:
 
     names = {name.lower(): name for name in sorted(fontManager.get_font_names(), reverse=True)}
     asked = str(font).strip().lower()
+    asked = _GENERIC_FONTS.get(asked, asked)
     name = names.get(asked)
     if name is None:
         near = [n for n in names if asked and asked in n] or get_close_matches(asked, names, 5, 0.5)

@@ -282,6 +282,8 @@ def write_scene(
     letters: bool = False,
     font: str | None = None,
     fragment: bool = False,
+    dpi: int | None = None,
+    transparent: bool = False,
 ) -> None:
     """Write the scene that `make` returns, as it is, in the format of the suffix.
 
@@ -296,7 +298,7 @@ def write_scene(
         with own_settings():
             write_text_atomically(path, tikz(make(), fragment=fragment))
     else:
-        content = picture_bytes(suffix, lambda: figure(make()), letters=letters, font=font)
+        content = picture_bytes(suffix, lambda: figure(make()), letters, dpi, font, transparent)
         write_bytes_atomically(path, content)
 
 

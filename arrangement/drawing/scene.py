@@ -326,6 +326,8 @@ POINTS = 72 / 25.4
 DPI = 300
 #: Size of letters, in points.
 FONT = 7.0
+#: The name of what is behind a picture in a theme that is not white.
+SHEET = "sheet"
 #: Least distance between two labels, and of a label from the boundary; in points.
 GAP = 0.8
 

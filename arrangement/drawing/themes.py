@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from arrangement.drawing.scene import Ball, Floats, Item, Label, Path, Scene
+from arrangement.drawing.scene import SHEET, Ball, Floats, Item, Label, Path, Scene
 
 #: The lightness of the darkest and of the lightest colour of the dark theme.
 _NIGHT, _DAY = 0.19, 0.95
@@ -47,7 +47,7 @@ def themed(scene: Scene, theme: str) -> Scene:
             fc=_hex(_night(_rgba("#ffffff"))),
             ec="none",
             zorder=-1,
-            gid="sheet",
+            gid=SHEET,
             role="region",
         )
     made.items += map(change, scene.items)

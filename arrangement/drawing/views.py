@@ -24,6 +24,7 @@ from arrangement.console.progress import watched
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
 from arrangement.drawing.layout import APART, composed, laid_out, picture_width
 from arrangement.drawing.output import (
+    DPIS,
     LEGENDS,
     MODELS,
     MOVIES,
@@ -41,6 +42,7 @@ from arrangement.drawing.output import (
 )
 from arrangement.drawing.scene import (
     FONT,
+    SHEET,
     NarrowError,
     Scene,
     checked_width,
@@ -68,10 +70,13 @@ Length: TypeAlias = Annotated[object, _LENGTH]
 LegendPlace: TypeAlias = Annotated[str | None, Syntax(metavar="PLACE")]
 TextKind: TypeAlias = Annotated[str | None, Syntax(metavar="KIND")]
 
-#: Options of earlier releases, each with its name now.
-RENAMED_OPTIONS = {
+#: Other words for options, each with its name.
+OPTION_SYNONYMS = {
     "axes": "slice",
     "base": "bottom",
+    "color": "colour",
+    "colors": "colour",
+    "colours": "colour",
     "direction": "camera",
     "directions": "rays",
     "piece": "equilibrium",
@@ -80,11 +85,11 @@ RENAMED_OPTIONS = {
 }
 
 
-def check_renamed(options: Iterable[str], known: Container[str]) -> None:
-    """Refuse an option of an earlier release as an unknown argument, with its name now."""
+def check_synonyms(options: Iterable[str], known: Container[str]) -> None:
+    """Refuse another word for an option as an unknown argument, with the name of the option."""
     for option in options:
-        if option not in known and (now := RENAMED_OPTIONS.get(option, "")) in known:
-            raise TypeError(f"{option!r} is now {now!r}")
+        if option not in known and (now := OPTION_SYNONYMS.get(option, "")) in known:
+            raise TypeError(f"there is no option {option!r}; write {now!r}")
 
 
 #: What can be drawn: pictures, models for printers, interactive pages.
@@ -129,7 +134,7 @@ def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], DrawingView[P
     def decorate(view: Callable[P, Scene]) -> DrawingView[P]:
         @functools.wraps(view)
         def scene(*args: P.args, **options: P.kwargs) -> Scene:
-            check_renamed(options, view.__annotations__)
+            check_synonyms(options, view.__annotations__)
             if "width" in options:
                 options["width"] = checked_width(options["width"], least)
             return view(*args, **options)
@@ -175,12 +180,14 @@ class Printing:
     """How a picture is printed; these options have all pictures.
 
     Args:
-        font: of .svg, .pdf, .png: an installed font (default: DejaVu Sans).
+        font: of .svg, .pdf, .png: an installed font, or serif, sans, mono (default: sans).
         font_size: size of the larger text, such as 8pt (default: 7pt); lines follow.
         theme: light (default), dark, mono; mono is black on white with hatchings.
         legend: below (default), right, none.
         text: in .svg: outlines (default), which look the same everywhere, or text, which can
             be edited.
+        dpi: of .png: dots per inch (default: 300).
+        transparent: of .svg, .pdf, .png: no background.
         fragment: in .tex: no document, for ``\\input``.
         columns: of panels (default: 2).
         frames: of a full turn in .gif, .mp4 (default: 36); without labels of regions, unless
@@ -192,6 +199,8 @@ class Printing:
     theme: str | None = None
     legend: LegendPlace = None
     text: TextKind = None
+    dpi: int | None = None
+    transparent: bool = False
     fragment: bool = False
     columns: int | None = None
     frames: int | None = None
@@ -211,6 +220,12 @@ class Printing:
                 "a font is for pictures other than TikZ, which TeX sets in its own",
             ),
             ({"fragment"}, suffix in TIKZ, "a fragment is TikZ, .tex"),
+            ({"dpi"}, suffix == ".png", "dots per inch are a choice of .png"),
+            (
+                {"transparent"},
+                kind == "view" and suffix in PICTURES,
+                "a transparent background is for .svg, .pdf and .png",
+            ),
             ({"text"}, suffix == ".svg", "text or outlines is a choice of .svg"),
             ({"frames"}, suffix in MOVIES, "frames are for .gif and .mp4"),
             ({"columns"}, "," in name, "columns are for several views, such as sphere,dual"),
@@ -220,6 +235,8 @@ class Printing:
         for name, known in (("theme", THEMES), ("legend", LEGENDS), ("text", LETTERS)):
             if name in given:
                 check_choice(name, getattr(self, name), known)
+        if self.dpi is not None and self.dpi not in DPIS:
+            raise InputError(f"dpi is {shown(self.dpi)}; expected {DPIS[0]} to {DPIS[-1]}")
 
     @property
     def scale(self) -> float:
@@ -247,7 +264,10 @@ class Printing:
         """Return the sheet with a picture, its legend and its captions, in the theme."""
         from .path_artist import finished
 
-        return finished(scene, self.legend or LEGENDS[0], self.theme or THEMES[0], self.scale)
+        made = finished(scene, self.legend or LEGENDS[0], self.theme or THEMES[0], self.scale)
+        if self.transparent:
+            made.items = [item for item in made.items if item.name != SHEET]
+        return made
 
     def write_movie(self, path: str | os.PathLike[str], make: Callable[..., Scene]) -> None:
         """Write the pictures that `make` returns for angles ``azimuth`` all around.
@@ -383,7 +403,7 @@ class Drawings:
             InputError: unknown suffix, view, model or option, what the view refuses, no place to
                 write.
             MissingExtraError: matplotlib is absent.
-            TypeError: an option has another name now.
+            TypeError: another word for an option, with its name.
         """
         kind, name = self.target(path, view, model)
         printing = Printing(**{key: options.pop(key) for key in PRINTING & options.keys()})
@@ -426,7 +446,15 @@ class Drawings:
 
         if Path(path).suffix.lower() not in MOVIES:
             letters, fragment = printing.text == "text", printing.fragment
-            write_scene(path, scene, letters=letters, font=printing.font, fragment=fragment)
+            write_scene(
+                path,
+                scene,
+                letters=letters,
+                font=printing.font,
+                fragment=fragment,
+                dpi=printing.dpi,
+                transparent=printing.transparent,
+            )
         elif "azimuth" in known:
             if "labels" in known:
                 options.setdefault("labels", "none")
@@ -465,7 +493,7 @@ class Drawings:
         Raises:
             InputError: an unknown view or option, or what the view refuses.
             MissingExtraError: matplotlib is absent.
-            TypeError: an option has another name now.
+            TypeError: another word for an option, with its name.
         """
         drawings = self if view in self.views else self.of(subject)
         name = next(iter(drawings.views)) if view is None else view
@@ -498,7 +526,7 @@ class Drawings:
         """Refuse a name that is unknown, and options that it lacks or needs."""
         self._check_name(kind, name)
         known = self.options(kind, name)
-        check_renamed(options, known)
+        check_synonyms(options, known)
         for option in options:
             if option not in known:
                 raise refusal(

@@ -29,6 +29,7 @@ from arrangement.drawing.colours import (
     Colouring,
     DrawnRegion,
     colouring,
+    read_choice,
 )
 from arrangement.drawing.labels import (
     SIZES,
@@ -418,8 +419,9 @@ def draw_lines(
         labels: "signs"; "numbers" for regions in the order of `Arrangement.regions`, with a table
             of sign vectors below; "none". If omitted, signs of up to four lines, or of all faces,
             else numbers, with the table for up to 24 regions.
-        colour: "bounded" (bounded regions are tinted), or as for `draw_sphere`; if omitted,
-            bounded, or inside of a polygon sides.
+        colour: "bounded" (bounded regions are tinted), also with colours of these and of others,
+            ``"bounded:gold,white"``; or as for `draw_sphere`; if omitted, bounded, or inside of a
+            polygon sides.
         sides: at each line, an arrow to its positive side.
         coordinates: "symmetric" or "given"; if omitted, the lines of a root system of rank 2, all
             roots with the same offsets, have its angles. This changes no sign vector.
@@ -489,9 +491,13 @@ class _Sheet:
         drawn = map(self.drawn_region, chart.regions.values())
         self.regions = [region for region in drawn if region is not None]
         bounded = chart.bounded
-        if colour == "bounded":
-            fill = {True: _BOUNDED, False: _UNBOUNDED}
-            self.colours = Colouring(lambda r: fill[r.signs in bounded], colour)
+        name, own = read_choice(colour)
+        fills = (*own, *(_BOUNDED, _UNBOUNDED)[len(own) :])
+        self.fills = {True: fills[0], False: fills[1]}
+        if name == "bounded":
+            if len(own) > 2:
+                raise InputError(f"bounded takes two colours and has {len(own)}; name two")
+            self.colours = Colouring(lambda r: self.fills[r.signs in bounded], name)
         else:
             firsts = [k for k in chart.lines.firsts if k < chart.count]
             self.colours = colouring(colour, self.regions, (), firsts)
@@ -520,8 +526,8 @@ class _Sheet:
             style = {"ec": "black", "lw": 0.5}
             if count:
                 text = counted(count, "bounded region")
-                legend.key(swatch(_BOUNDED, **style), text)
-            legend.key(swatch(_UNBOUNDED, **style), f"{rest} unbounded")
+                legend.key(swatch(self.fills[True], **style), text)
+            legend.key(swatch(self.fills[False], **style), f"{rest} unbounded")
         explain_regions(self.scene, self.colours, self.names, self.regions)
         for text in self.notes:
             legend.line(text)

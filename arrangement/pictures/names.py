@@ -81,7 +81,8 @@ class RegionLabels:
             parts = [part.partition("=") for part in labels.split(",")]
             pairs = [(key.strip(), text or None) for key, _, text in parts]
             if not all(set(key) <= {*"+-0123456789"} for key, _ in pairs):
-                raise refusal(f"the labels are {shown(labels)}", labels, LABELS)
+                remedy = "write a text for each region, such as +-+=A,3=B, or one of"
+                raise refusal(f"the labels are {shown(labels)}", labels, LABELS, remedy)
         else:
             pairs = ((key, None) for key in labels)
         return {self.signs_of(key): text for key, text in pairs}

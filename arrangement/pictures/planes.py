@@ -15,7 +15,7 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
 from arrangement.counts.configuration import pivot_columns
-from arrangement.drawing.colours import SKIN, chosen, pale, plane_colour
+from arrangement.drawing.colours import SKIN, chosen, pale, plane_colour, read_choice
 from arrangement.drawing.labels import (
     SIZES,
     beside,
@@ -588,6 +588,9 @@ def _painter(colour: str | FacetPainter) -> FacetPainter:
         "shade": lambda facet: lit("#ffffff", _facing(facet), 0.1),
         "none": lambda facet: "#ffffff",
     }
+    name, own = read_choice(colour)
+    if own and name is None:
+        return lambda facet: lit(own[facet.label % len(own)], _facing(facet), 0.7)
     return chosen(colour, painters)
 
 

@@ -65,11 +65,12 @@ class DrawableArrangement:
         projective: bool = ...,
         faces: str = ...,
         labels: str | Mapping[Any, str] | Iterable[Any] | None = ...,
-        colour: str | Sequence[str] | Callable[[DrawnRegion], str] = ...,
+        colour: str | Sequence[str] | Callable[[DrawnRegion], str] | None = ...,
         sides: bool = ...,
         width: float = ...,
         coordinates: str | None = ...,
         window: Iterable[Iterable[Any]] = ...,
+        inside: Any | None = ...,
         ax: Room | None = ...,
     ) -> Drawing: ...
     @overload
@@ -182,6 +183,7 @@ class DrawableArrangement:
         projective: bool = ...,
         faces: str = ...,
         window: Iterable[Iterable[Any]] = ...,
+        inside: Any | None = ...,
         whole: bool | None = ...,
         hull: bool = ...,
         section: Iterable[Any] | None = ...,

@@ -675,6 +675,9 @@ def test_own_colours_come_in_the_order_of_the_legend():
     assert fills("sides:gold,#00aaff") == {"#ffd700": "3 sides", "#00aaff": "4 sides"}
     assert fills(["gold", "#00aaff"]) == fills("gold,#00aaff") == fills("sides:gold,#00aaff")
     assert fills("orbits:gold,white") == {"#ffd700": "orbit of 6", "#ffffff": "orbit of 8"}
+    alone = DRAWINGS.draw(read_arrangement("cube-diagonals"), colour="gold").scene
+    assert {x.style["fc"] for x in alone.items if x.name.startswith("region")} == {"#ffd700"}
+    assert not [key for key in alone.legend.keys if "minus" in key.text]
     for colour, said in (("sides:gelb", "is not a colour"), ("site:red", "did you mean sides")):
         with pytest.raises(InputError, match=said):
             fills(colour)
@@ -750,7 +753,7 @@ def test_a_gnomonic_chart_shows_lines_where_the_planes_meet_it(planes):
     assert whole == pytest.approx(np.pi * reach**2, rel=2e-3)
 
 
-def test_a_call_of_draw_enters_each_package_once_and_25_files():
+def test_a_call_of_draw_enters_each_package_once_and_26_files():
     """Before the first line of the view, `drawing` and `pictures` are entered once each."""
     read_arrangement("braid-a3").draw("sphere")  # imports what is imported when it is used
     planes, walk = read_arrangement("braid-a3"), []
@@ -765,7 +768,7 @@ def test_a_call_of_draw_enters_each_package_once_and_25_files():
         planes.draw("sphere")
     finally:
         sys.setprofile(None)
-    assert len({path for path, _ in walk}) <= 25
+    assert len({path for path, _ in walk}) <= 26
     before = [path for path, _ in walk[: walk.index((Path("pictures/globe.py"), "draw_sphere"))]]
     packages = [path.parts[0] for path in before if path.parts[0] in ("drawing", "pictures")]
     assert [package for package, _ in groupby(packages)] == ["drawing", "pictures"]
