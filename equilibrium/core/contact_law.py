@@ -317,8 +317,14 @@ class LinearQuestion:
 
 
 def exact(x: Any) -> Any:
-    """Return a number of FLINT, whose products take a tenth of the time."""
-    return _flint_rational()(x.numerator, x.denominator)
+    """Return a number of FLINT, whose products take a tenth of the time.
+
+    What is no rational number, as a function of a letter, stays.
+    """
+    try:
+        return _flint_rational()(x.numerator, x.denominator)
+    except TypeError:
+        return x
 
 
 @cache

@@ -71,7 +71,7 @@ class FarkasLeaf(NamedTuple):
     displacements: dict[int, RationalVector]
 
 
-class _Values(dict[Any, Any]):
+class Values(dict[Any, Any]):
     """The numbers of unknowns at a point, and of symbols when they are looked up."""
 
     def __init__(self, symbols: Mapping[Any, Terms], keys: Iterable[Any], point: Any) -> None:
@@ -141,8 +141,13 @@ class ContactProgram:
         """Return the one point that equations leave, if it is a solution."""
         rows, pivots, scale = self._reduced
         point = [Fraction(-row[-1], scale) for row, _ in zip(rows, pivots, strict=False)]
-        at = self._values(point)
+        at = self.values(point)
         return self.at(point) if all(at.of(x.terms) >= 0 for x in self._least) else None
+
+    @property
+    def equations(self) -> list[tuple[Any, ...]]:
+        """The equalities, not in integers."""
+        return [self._row(self.question.expanded(x.terms)) for x in self._equal]
 
     @property
     def units(self) -> list[int]:
@@ -153,8 +158,8 @@ class ContactProgram:
     def _program(self) -> Program:
         return Program(self.size, self.inequalities, self.equalities, self._deadline)
 
-    def _row(self, terms: Mapping[Any, int]) -> tuple[int, ...]:
-        """Return an expression without symbols, in integers, as a row, constant last."""
+    def _row(self, terms: Mapping[Any, Any]) -> tuple[Any, ...]:
+        """Return an expression without symbols as a row, constant last."""
         row = [0] * (self.size + 1)
         for key, x in terms.items():
             row[key if isinstance(key, int) else self._columns[key]] = x
@@ -222,7 +227,7 @@ class ContactProgram:
 
     def at(self, point: Sequence[Fraction]) -> Solution:
         """Return the motion and the forces of a solution."""
-        at = self._values(point)
+        at = self.values(point)
         forces = (tuple(fraction(at.of(x)) for x in terms) for terms in self.forces)
         return Solution(tuple(point[: self.question.rows.n]), tuple(forces))
 
@@ -233,7 +238,7 @@ class ContactProgram:
             numbers["normal", i] = normal
             numbers |= {("friction", i, j): x for j, x in enumerate(frictions)}
         point = (*solution.motion, *(numbers[force] for force in self._columns))
-        at = self._values(point)
+        at = self.values(point)
         return (
             not any(at.of(x.terms) for x in self._equal)
             and all(at.of(x.terms) >= 0 for x in self._least)
@@ -271,16 +276,16 @@ class ContactProgram:
         found = self._program.point()
         return None if isinstance(found, Infeasible) else found
 
-    def _values(self, point: Sequence[Fraction]) -> _Values:
+    def values(self, point: Sequence[Any]) -> Values:
         """Return the numbers of expressions at a point."""
         keys = (*range(self.size - len(self._columns)), *self._columns)
-        return _Values(self.question.symbols, keys, point)
+        return Values(self.question.symbols, keys, point)
 
     def _end(self, t: Fraction) -> End:
         """Return how far each contact is from the law, and in which state it is, at a solution."""
         point, question = self._point(), self.question
         assert point is not None
-        at = self._values(point)
+        at = self.values(point)
         violations, states = [], []
         for i, (contact, forces) in enumerate(zip(question.rows, self.forces, strict=True)):
             terms = *forces, {("slip", i, 0): ONE}, {("spring", i): ONE}
@@ -339,7 +344,7 @@ class ContactProgram:
         """Return whether an expression that is at least 0 is 0 in all solutions."""
         point = self._point()
         assert point is not None
-        return not self._values(point).of(terms) and self._least_of(times(terms, -1)) == 0
+        return not self.values(point).of(terms) and self._least_of(times(terms, -1)) == 0
 
     @staticmethod
     def _carried(terms: Terms, into: ContactProgram) -> Terms:

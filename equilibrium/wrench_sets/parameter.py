@@ -35,12 +35,15 @@ from equilibrium.certificate.parameter import (
 )
 from equilibrium.certificate.reading import SCHEMA_VERSION, STATES, Leaf, Place
 from equilibrium.certificate.tree import placed_leaves
+from equilibrium.core.contact_law import ContactState, LinearQuestion, State
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contacts import IntegerContacts
 from equilibrium.decide.assemblies.ends import Giving, limits_of
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.inputs.parameter import read_parametric
 from equilibrium.model.errors import GraspError
 from equilibrium.model.parameter import ParametricQuestion
+from equilibrium.model.rows import ContactRow, ContactRows
 from equilibrium.plane.search.motion_regions import HALF_SPACE
 from equilibrium.plane.search.region_states import StateSplits, TooManyParts
 
@@ -393,6 +396,14 @@ def _with_leaves(node: Any, change: Callable[[], Any]) -> Any:
     return {key: x if key == "contact" else _with_leaves(x, change) for key, x in pairs}
 
 
+class _Everywhere(Domain):
+    """Of functions as such: what is 0 at a value alone is not 0."""
+
+    def decide(self, polynomial: Any, wanted: set[int]) -> bool:
+        """Return whether a polynomial is 0, or is not."""
+        return (0 in wanted) != bool(polynomial)
+
+
 def _carried(
     family: ParametricQuestion,
     value: Fraction,
@@ -408,58 +419,39 @@ def _carried(
         slips_at_limit: whether contacts that stick with friction at its limit may slip.
     """
     domain = Domain(Span(value, value), letter=family.letter)
-    rows: Any = function_rows(family, domain)
-    load, motion = family.load(domain), document["motion"]
-    names = family.names or ()
+    zero, posed = Function.constant(0, _Everywhere(domain.span)), list[Any]()
+    for wrenches, *values in function_rows(family, domain):
+        frame: list[Any] = [tuple(zero + x for x in wrench) for wrench in wrenches]
+        functions: list[Any] = [zero + x for x in values]
+        posed.append(ContactRow(frame[0], (frame[1],), *functions))
+    names, motion = family.names or (), document["motion"]
     numbers = [x for name in names for x in motion[name]] if names else motion
     d = list(map(Fraction, numbers))
-    n, zero = len(d), Function.constant(0, domain)
-    unknowns = [*d]
-    normals: list[tuple[list[Any], Any]] = []
-    tangents: list[tuple[list[Any], Any]] = []
-    equations: list[list[Any]] = []
-    # An expression is a list of coefficients, of the unknowns in order, and a constant.
-    for row, force in zip(rows, document["forces"], strict=True):
+    states: list[State] = []
+    known = [*d]
+    for row, force in zip(posed, document["forces"], strict=True):
         normal, friction = map(Fraction, force)
-        along = [zero + x for x in row.wrenches[0]]
-        across = [zero + x for x in row.wrenches[1]]
-        if not normal:
-            normals.append(([], zero))
-            tangents.append(([], zero))
-            continue
-        spring = [x * row.stiffness * -1 for x in along]
-        normals.append((spring, zero + row.preload))
-        slip = sum(x.at(value) * y for x, y in zip(across, d, strict=True))
+        slip = sum(x.at(value) * y for x, y in zip(row.tangential_wrenches[0], d, strict=True))
         limit = row.friction.at(value) * normal
-        at_limit = abs(friction) == limit
-        if not limit or slip or (at_limit and slips_at_limit):
-            factor = row.friction * (Fraction((friction > 0) - (friction < 0)))
-            tangents.append(([x * factor for x in spring], factor * row.preload))
+        if not normal:
+            states.append("detached")
+        elif not limit or slip or (abs(friction) == limit and slips_at_limit):
+            share = (friction > 0) - (friction < 0)
+            states.append(ContactState("attached", share=(share,)))
         else:
-            unknowns.append(friction)
-            tangents.append(([zero] * (len(unknowns) - 1) + [zero + 1], zero))
-            equations.append([*across, zero])
-    size = len(unknowns)
-    full = [[_padded(terms, size, zero), constant] for terms, constant in (*normals, *tangents)]
-    wrenches = [row.wrenches[0] for row in rows] + [row.wrenches[1] for row in rows]
-    pull = [row.adhesion for row in rows] + [zero] * len(rows)
-    lines = [[*_padded(e[:-1], size, zero), e[-1]] for e in equations]
-    for j in range(n):
-        line = [zero] * size + [zero + load[j]]
-        for (terms, constant), wrench, less in zip(full, wrenches, pull, strict=True):
-            row = [*terms, constant - less]
-            line = [x + (zero + wrench[j]) * y for x, y in zip(line, row, strict=True)]
-        lines.append(line)
-    solved = _solved([lines], unknowns, value)
+            states.append("stick")
+            known.append(friction)
+    rows = ContactRows(tuple(posed), (), (False,) * len(d), 1)
+    load: Any = tuple(zero + x for x in family.load(domain))
+    program = ContactProgram(LinearQuestion(rows, load), tuple(states))
+    lines = [[zero + x for x in row] for row in program.equations]
+    solved = _solved([lines], known, value)
     if solved is None:
         return None
-    forces = [
-        [_applied(pair, solved) for pair in (full[i], full[len(rows) + i])]
-        for i in range(len(rows))
-    ]
+    at = program.values(solved)
     return {
-        "motion": _motion_entry(family, solved[:n]),
-        "forces": [[x.text() for x in pair] for pair in forces],
+        "motion": _motion_entry(family, solved[: len(d)]),
+        "forces": [[(zero + at.of(x)).text() for x in pair] for pair in program.forces],
     }
 
 
@@ -588,15 +580,6 @@ def _motion_entry(family: ParametricQuestion, motion: Sequence[Any]) -> Any:
     """Return the JSON form of a motion in functions."""
     texts, names = [x.text() for x in motion], family.names
     return texts if names is None else {x: texts[3 * k : 3 * k + 3] for k, x in enumerate(names)}
-
-
-def _padded(terms: Sequence[Any], size: int, zero: Any) -> list[Any]:
-    return [*terms, *[zero] * (size - len(terms))]
-
-
-def _applied(pair: Sequence[Any], values: Sequence[Any]) -> Any:
-    terms, constant = pair
-    return sum((x * y for x, y in zip(terms, values, strict=True)), constant)
 
 
 def _solved(
