@@ -14,7 +14,7 @@ True
 Describe a grasp
     Grasp, Contact       contacts on a rigid object, in the plane or in space
     unit_normal          rational unit vector near a direction: UnitNormal
-    Circle, Polygon, Mesh, Units    outline of the object, and what its numbers are measured in
+    Circle, Polygon, Segments, Sphere, Mesh, Units    outlines, and what numbers are measured in
     read_grasp           read a file, or a built-in grasp by name
     inputs               grasps from tables of numbers, polygons, meshes, at random
     Assembly, RigidBody, BodyContact    several bodies in the plane; read_assembly reads a file
@@ -87,7 +87,7 @@ _SYNONYMS = {
 
 attach(
     {
-        "Assembly.from_polygons": "equilibrium.grasps.touching:touching_polygons",
+        "Assembly.from_polygons": "equilibrium.grasps.inputs.touching:touching_polygons",
         "Grasp.save": "equilibrium.grasps.inputs.csv_file:table_text",
         "Grasp.draw": "equilibrium.pictures.views:DRAWINGS",
         "Grasp.lab": "equilibrium.pictures.lab.page:lab_in_notebook",

@@ -19,7 +19,13 @@ from .model.errors import (
 )
 from .model.grasp import Grasp as Grasp
 from .model.labels import Units as Units
-from .model.outline import Circle as Circle, Mesh as Mesh, Polygon as Polygon
+from .model.outline import (
+    Circle as Circle,
+    Mesh as Mesh,
+    Polygon as Polygon,
+    Segments as Segments,
+    Sphere as Sphere,
+)
 from .model.solution import Solution as Solution
 from .model.unit_normal import UnitNormal as UnitNormal, unit_normal as unit_normal
 from .modes import ContactModes as ContactModes

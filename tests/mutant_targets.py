@@ -122,6 +122,7 @@ GIVEN = tuple(
 )
 ENGINES = "tests/arrangement/test_engines.py"
 INSCRIBED = "tests/arrangement/test_inscribed.py"
+SHAPES = "tests/equilibrium/test_shapes.py"
 TARGETS = {
     "checker": Target("equilibrium.certificate.checker", (*CHECKER, PLANES, PYRAMIDS)),
     "report": Target("equilibrium.certificate.report", (*CHECKER, *ASSEMBLIES)),
@@ -140,7 +141,8 @@ TARGETS = {
         (*CHECKER, *SPACE, PLANES, "tests/equilibrium/test_assembly_checker.py"),
     ),
     "assemblies": Target("equilibrium.certificate.assemblies", ASSEMBLIES),
-    "touching": Target("equilibrium.grasps.touching", TOUCHING),
+    "touching": Target("equilibrium.grasps.inputs.touching", (*TOUCHING, SHAPES)),
+    "shapes": Target("equilibrium.grasps.inputs.shapes", (SHAPES,)),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
     "uncertain": Target("equilibrium.certificate.uncertain", ROBUST),
     "robust": Target("equilibrium.certificate.robust", ROBUST),

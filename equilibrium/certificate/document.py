@@ -118,7 +118,9 @@ def certificate(
     if pyramid is not None:
         proof = {"pyramid": pyramid, **proof}
     # A proof is about these numbers, whether they were given or assumed, and about points.
-    points = (replace(c, stiffness_given=True, share=Fraction(1)) for c in points_of(subject))
+    points = (
+        replace(c, stiffness_given=True, share=Fraction(1), thread=()) for c in points_of(subject)
+    )
     question: dict[str, Any]
     if isinstance(subject, Assembly):
         pairs = zip(subject.contacts, points, strict=True)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -47,7 +48,7 @@ _MAKERS = {
 
 
 def add_commands(commands: Any) -> None:
-    """Add make csv, floats, polygon, circle, mesh and random, and textbook assemblies."""
+    """Add make csv, floats, polygon, shapes, circle, mesh and random, and textbook assemblies."""
     text = "make a grasp file from data or at random, or a textbook assembly"
     make = terminal.add_command(commands, "make", text, heading="more")
     kinds = make.add_subparsers(required=True, metavar="KIND")
@@ -69,6 +70,15 @@ def add_commands(commands: Any) -> None:
     text = "put contacts on the boundary of a polygon (JSON)"
     polygon = _add(kinds, "polygon", text, "read_polygon")
     polygon.add_argument("file", metavar="FILE.json", help="a path, or - for stdin")
+
+    text = "find the contacts of discs, spheres, polygons and walls that touch, and of threads"
+    shapes = add_command(kinds, "shapes", _shapes, text, grasp=False, numbers=False, heading="")
+    shapes.add_argument("file", metavar="FILE", help="a JSON or .csv file, or - for stdin (JSON)")
+    add_number(shapes, "--friction", None, "of all contacts, but of pairs that have their own", "Q")
+    add_number(shapes, "--gap", None, "discs touch what is this close to them", "LENGTH")
+    text = "largest error of a normal that has no exact unit form"
+    add_number(shapes, "--angle-tolerance", Fraction(1, 10**6), text, "RADIANS")
+    shapes.add_argument("-o", "--output", metavar="OUT.json", help="write the file here")
 
     text = "put contacts on a circle, normals to its centre"
     options = ("radius", "preload")
@@ -193,6 +203,21 @@ def _converted(arguments: argparse.Namespace) -> int:
     if not arguments.json:
         tell_rounding(conversion)
     return _give(arguments, document)
+
+
+def _shapes(arguments: argparse.Namespace) -> int:
+    """Print or write the assembly or grasp of shapes that touch."""
+    from equilibrium.grasps.inputs import read_shapes
+    from equilibrium.model.assembly import Assembly
+
+    names = ("friction", "gap", "angle_tolerance")
+    read = read_shapes(arguments.file, **{name: getattr(arguments, name) for name in names})
+    if not arguments.json:
+        for remark in read.remarks:
+            print(f"note: {remark}", file=sys.stderr)
+    kind = "assembly" if isinstance(read.subject, Assembly) else "grasp"
+    remarks = {"remarks": read.remarks} if read.remarks else {}
+    return _give(arguments, {kind: read.to_dict(), **remarks})
 
 
 def _give(arguments: argparse.Namespace, document: dict[str, Any]) -> int:

@@ -18,8 +18,10 @@ from arrangement.numbers.exact import Rational, RationalVector, rational, shown
 from equilibrium.model.assembly import Assembly, BodyContact, RigidBody, Wrenches
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
-from equilibrium.model.outline import Circle, Polygon
+from equilibrium.model.outline import Circle, Polygon, Segments
 from equilibrium.model.unit_normal import unit_normal
+
+from .inputs.touching import Shape, touching
 
 #: An exact number, on a command line too.
 Number: TypeAlias = Annotated[Rational, Syntax(rational_argument, "Q")]
@@ -203,18 +205,16 @@ def cylinders(
     """
     load, (c, s) = rational(weight, "weight"), _angle(half_tangent, Fraction(1, 2))
     one, none = Fraction(1), Fraction(0)
-    centres = {"left": (-2 * s, one), "right": (2 * s, one), "top": (none, 1 + 2 * c)}
-    bodies = [RigidBody(name, Circle(place, 1)) for name, place in centres.items()]
-    contacts = [
-        BodyContact(name, None, Contact((centres[name][0], 0), (0, 1), ground))
-        for name in ("left", "right")
-    ]
-    contacts += [
-        BodyContact("top", name, Contact((sign * s, 1 + c), (-sign * s, c), friction))
-        for name, sign in (("left", -1), ("right", 1))
-    ]
-    wrenches: Wrenches = {name: (none, -load, -load * x) for name, (x, _) in centres.items()}
-    return Assembly(bodies, contacts), wrenches
+    centres = {"top": (none, 1 + 2 * c), "left": (-2 * s, one), "right": (2 * s, one)}
+    circles = {name: Circle(place, 1) for name, place in centres.items()}
+    floor = Segments([[(-4, 0), (4, 0)]])
+    found = touching(
+        [*map(Shape, circles, circles.values()), Shape("floor", floor, False)],
+        lambda _, other: {"friction": ground if other == "floor" else friction},
+    )
+    bodies = [RigidBody(name, circle, load) for name, circle in circles.items()]
+    made = found.assembly(bodies, [floor])
+    return made, made.weights
 
 
 def ladder(

@@ -29,7 +29,7 @@ from .contact import VALUES, Contact, contact_of
 from .errors import GraspError
 from .grasp import Grasp, ask_contacts, chosen_contacts, wrench_of
 from .labels import DataError, Units
-from .outline import Circle, Polygon, centroid, coordinates, read_outline
+from .outline import Outline, centroid, coordinates, read_outline
 from .rows import TURNS, ContactRow, ContactRows
 
 #: How many numbers a body has.
@@ -46,13 +46,13 @@ class RigidBody:
 
     Attributes:
         name: by which contacts and wrenches refer to it.
-        outline: a `Polygon` or a `Circle`, for pictures; no decision looks at it.
+        outline: a `Polygon`, a `Circle` or `Segments`, for pictures; no decision looks at it.
         weight: downwards, for `Assembly.weights`; no decision looks at it.
         centre: where the weight acts; None: in the centroid of the outline.
     """
 
     name: str
-    outline: Polygon | Circle | None = field(default=None, compare=False)
+    outline: Outline | None = field(default=None, compare=False)
     weight: Fraction = field(default=Fraction(0), compare=False)
     centre: RationalVector | None = field(default=None, compare=False)
 
@@ -70,24 +70,32 @@ class RigidBody:
                 f"the name of a body is {shown(self.name)}; expected no control characters and "
                 "no spaces at the ends"
             )
-        if self.outline is not None and not isinstance(self.outline, (Polygon, Circle)):
-            raise GraspError(
-                f"the outline of {self.name} is {shown(self.outline)}; expected a Polygon, a "
-                "Circle or None"
-            )
-
+        if self.outline is not None:
+            _check_plane(self.outline, f"the outline of {self.name}")
         if self.weight and self.centre is None and self.outline is None:
             raise GraspError(
                 f"{self.name} has a weight and neither centre nor outline; expected one of them"
             )
 
     @property
+    def middle(self) -> RationalVector:
+        """The centre, where the weight acts; by default the centroid of the outline.
+
+        Raises:
+            GraspError: there is neither.
+        """
+        if self.centre is not None:
+            return self.centre
+        if self.outline is None:
+            raise GraspError(f"{self.name} has neither centre nor outline; expected one of them")
+        return centroid(self.outline)
+
+    @property
     def weight_wrench(self) -> RationalVector:
         """The wrench of the weight."""
         if not self.weight:
             return _ZERO
-        place = self.centre or centroid(self.outline)  # type: ignore[arg-type]
-        return wrench_of((0, -self.weight), place)
+        return wrench_of((0, -self.weight), self.middle)
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form."""
@@ -106,9 +114,16 @@ class RigidBody:
         if not isinstance(entry, Mapping):
             return cls(entry)
         check_keys(entry, ("name",), ("outline", "weight", "centre"), where)
-        outline: Any = read_outline(entry["outline"]) if "outline" in entry else None
+        outline = read_outline(entry["outline"]) if "outline" in entry else None
         centre = check_list(entry["centre"], f"{where}: centre", 2) if "centre" in entry else None
         return cls(entry["name"], outline, entry.get("weight", 0), centre)  # type: ignore[arg-type]
+
+
+def _check_plane(outline: Any, name: str) -> None:
+    if not isinstance(outline, Outline) or outline.dimension != 2:
+        raise GraspError(
+            f"{name} is {shown(outline)}; expected a Polygon, a Circle or Segments in the plane"
+        )
 
 
 @dataclass(frozen=True)
@@ -198,6 +213,7 @@ class Assembly(HintsMixin):
         units: what the numbers are measured in, if stated.
         data_error: of the data that were rounded to these contacts, if any; no comparison looks at
             it.
+        ground: the shapes of the ground, as outlines, for pictures; no comparison looks at them.
 
     Raises:
         GraspError: a name twice, or a contact of a body that is not one of them.
@@ -211,6 +227,7 @@ class Assembly(HintsMixin):
     contacts: tuple[BodyContact, ...]
     units: Units | None = field(default=None, compare=False)
     data_error: DataError | None = field(default=None, compare=False)
+    ground: tuple[Outline, ...] = field(default=(), compare=False)
 
     _synonyms: ClassVar[Mapping[str, str]] = {
         "along": "ResistedSet(assembly).along(wrenches)",
@@ -226,6 +243,7 @@ class Assembly(HintsMixin):
         contacts: Iterable[BodyContact] = (),
         units: Units | None = None,
         data_error: DataError | None = None,
+        ground: Iterable[Outline] = (),
     ) -> None:
         listed = tuple(
             body if isinstance(body, RigidBody) else RigidBody(body)
@@ -252,6 +270,9 @@ class Assembly(HintsMixin):
         object.__setattr__(self, "contacts", touching)
         object.__setattr__(self, "units", units)
         object.__setattr__(self, "data_error", data_error)
+        object.__setattr__(self, "ground", tuple(entries(ground, "ground", "outlines")))
+        for i, outline in enumerate(self.ground):
+            _check_plane(outline, f"ground[{i}]")
 
     def __repr__(self) -> str:
         bodies = counted(len(self.bodies), "body", "bodies")
@@ -299,7 +320,7 @@ class Assembly(HintsMixin):
             polygons: the corners of each body, by name.
             friction: of all contacts.
             options: ground, stiffness, preload, density, angle_tolerance; see
-                `equilibrium.grasps.touching`.
+                `equilibrium.grasps.inputs.touching`.
 
         Raises:
             GraspError: polygons overlap, or an edge in touch has no exact unit normal.
@@ -379,6 +400,8 @@ class Assembly(HintsMixin):
             "bodies": [body.to_dict() for body in self.bodies],
             "contacts": [contact.to_dict() for contact in self.contacts],
         }
+        if self.ground:
+            document["ground"] = [outline.to_dict() for outline in self.ground]
         if wrenches is not None:
             read = self.read_wrenches(wrenches)
             document["wrench"] = {name: list(map(to_text, w)) for name, w in read.items()}
@@ -406,7 +429,7 @@ class Assembly(HintsMixin):
         Raises:
             InputError: unknown or missing keys, an unknown schema version, wrong types.
         """
-        optional = ("schema_version", "description", "units", "data_error", "wrench")
+        optional = ("schema_version", "description", "units", "data_error", "wrench", "ground")
         check_keys(document, ("bodies", "contacts"), optional, "the assembly")
         version = document.get("schema_version", 1)
         if type(version) is not int or version != 1:
@@ -418,7 +441,8 @@ class Assembly(HintsMixin):
         contacts = [BodyContact.from_dict(entry, i) for i, entry in enumerate(rows)]
         units = Units.from_dict(document["units"]) if "units" in document else None
         error = DataError.from_dict(document["data_error"]) if "data_error" in document else None
-        return cls(bodies, contacts, units, error)
+        ground = map(read_outline, check_list(document.get("ground", []), "ground"))
+        return cls(bodies, contacts, units, error, ground)
 
     def read_wrenches(self, wrenches: Any) -> Wrenches:
         """Return a wrench for each body, zero where none is given.

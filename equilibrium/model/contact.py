@@ -42,7 +42,7 @@ WRENCH_SIZES = {2: 3, 3: 6}
 #: What a contact has besides its place.
 VALUES = ("friction", "stiffness", "preload", "adhesion")
 _REQUIRED = ("point", "normal", "friction")
-_OPTIONAL = ("stiffness", "preload", "adhesion", "tangent", "share")
+_OPTIONAL = ("stiffness", "preload", "adhesion", "tangent", "share", "thread")
 
 #: Why a grasp in space is refused by what knows the plane only.
 IN_SPACE = (
@@ -74,6 +74,9 @@ class Contact(ReprMixin):
         adhesion: constant force that pulls the object against the normal, at least 0, such as
             that of a suction cup. The force on the object is ``(c_n - adhesion) n + c_t``: spring
             and friction cone are about c_n alone.
+        thread: the other end, if the contact is a thread or cable: it pulls the point along the
+            normal towards that end, the preload is its tension at d = 0, and a detached one is
+            slack. Pictures show it, and no comparison looks at it.
 
     Raises:
         GraspError: a normal that is not unit, or a number out of range.
@@ -92,6 +95,7 @@ class Contact(ReprMixin):
     stiffness_given: bool = field(default=False, compare=False)
     share: Fraction = field(default=Fraction(1), compare=False)
     adhesion: Fraction = Fraction(0)
+    thread: RationalVector = field(default=(), compare=False)
 
     def __init__(
         self,
@@ -104,6 +108,7 @@ class Contact(ReprMixin):
         stiffness_given: bool | None = None,
         share: Any = 1,
         adhesion: Any = 0,
+        thread: Iterable[Any] = (),
     ) -> None:
         place, inward = coordinates(point, "point"), _unit(normal)
         if len(place) != len(inward):
@@ -111,7 +116,7 @@ class Contact(ReprMixin):
                 f"point has {len(place)} coordinates and normal has {len(inward)}; give two for "
                 "both, in the plane, or three, in space"
             )
-        part = rational(share, "share")
+        part, end = rational(share, "share"), tuple(thread)
         spring = part if stiffness is None else rational(stiffness, "stiffness")
         if stiffness_given is None:
             stiffness_given = stiffness is not None
@@ -128,6 +133,7 @@ class Contact(ReprMixin):
             "stiffness_given": stiffness_given or spring != part,
             "share": part,
             "adhesion": rational(adhesion, "adhesion"),
+            "thread": coordinates(end, "thread", len(inward)) if end else (),
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)
@@ -205,6 +211,7 @@ class Contact(ReprMixin):
         names = ["point", "normal"]
         if self.tangent != _tangent(self.normal):
             names.append("tangent")
+        names += ["thread"] if self.thread else []
         vectors = {name: list(map(to_text, getattr(self, name))) for name in names}
         left_out = () if self.stiffness_given else ("stiffness",)
         stated = (name for name in self.stated if name not in left_out)
@@ -233,7 +240,7 @@ def contact_of(entry: Any, index: int) -> Contact:
     name = f"contacts[{index}]"
     check_keys(entry, _REQUIRED, _OPTIONAL, name)
     try:
-        for key in ("point", "normal", "tangent"):
+        for key in ("point", "normal", "tangent", "thread"):
             check_list(entry.get(key, []), key)
         rational(entry.get("stiffness", 1), "stiffness")  # null does not mean the default
         if "tangent" in entry and len(entry["normal"]) == 2:

@@ -58,7 +58,8 @@ class Circle(JsonMixin):
     radius: Fraction
 
     def __init__(self, centre: Iterable[Any], radius: Any) -> None:
-        object.__setattr__(self, "centre", coordinates(centre, "the centre of the outline", 2))
+        place = coordinates(centre, "the centre of the outline", self.dimension)
+        object.__setattr__(self, "centre", place)
         object.__setattr__(self, "radius", rational(radius, "the radius of the outline"))
         if self.radius <= 0:
             raise GraspError(f"the radius of the outline is {self.radius}; it must be above 0")
@@ -67,6 +68,47 @@ class Circle(JsonMixin):
     def extremes(self) -> tuple[RationalVector, ...]:
         """Points whose bounding box is that of the object."""
         return tuple(tuple(x + side * self.radius for x in self.centre) for side in (-1, 1))
+
+
+class Sphere(Circle):
+    """A round object in space.
+
+    Args:
+        centre: point (length).
+        radius: above 0 (length).
+    """
+
+    dimension: ClassVar = 3
+
+
+@dataclass(frozen=True, repr=False)
+class Segments(JsonMixin):
+    """Thin straight walls, of a body or of the ground.
+
+    Args:
+        segments: at least one, each with two different ends (length).
+    """
+
+    json_fields = ("segments",)
+
+    dimension: ClassVar = 2
+    segments: tuple[tuple[RationalVector, RationalVector], ...]
+
+    def __init__(self, segments: Iterable[Iterable[Iterable[Any]]]) -> None:
+        listed = []
+        for i, ends in enumerate(segments):
+            pair = tuple(coordinates(end, f"segments[{i}]", 2) for end in ends)
+            if len(pair) != 2 or pair[0] == pair[1]:
+                raise GraspError(f"segments[{i}] has no two ends that differ; give two points")
+            listed.append(pair)
+        if not listed:
+            raise GraspError("there are no segments; give at least one")
+        object.__setattr__(self, "segments", tuple(listed))
+
+    @property
+    def extremes(self) -> tuple[RationalVector, ...]:
+        """Points whose bounding box is that of the object."""
+        return tuple(end for ends in self.segments for end in ends)
 
 
 @dataclass(frozen=True, repr=False)
@@ -102,18 +144,19 @@ class Mesh(JsonMixin):
         return self.vertices
 
 
-def centroid(outline: Polygon | Circle) -> RationalVector:
-    """Return the centroid of the area.
+def centroid(outline: Outline) -> RationalVector:
+    """Return the centroid of the area of a polygon or circle.
 
     Raises:
-        GraspError: a polygon without area.
+        GraspError: there is no area.
 
     >>> [str(x) for x in centroid(Polygon([[0, 0], [3, 0], [0, 3]]))]
     ['1', '1']
     """
     if isinstance(outline, Circle):
         return outline.centre
-    pairs = list(cycle_edges(outline.corners))
+    corners = outline.corners if isinstance(outline, Polygon) else ()
+    pairs = list(cycle_edges(corners))
     parts = [a[0] * b[1] - a[1] * b[0] for a, b in pairs]
     if not sum(parts):
         raise GraspError("the outline has no area; expected a polygon with one, or a centre")
@@ -124,14 +167,15 @@ def centroid(outline: Polygon | Circle) -> RationalVector:
     return tuple(Fraction(total) / (3 * sum(parts)) for total in sums)
 
 
-Outline: TypeAlias = Polygon | Circle | Mesh
+#: A `Circle` may be a `Sphere`.
+Outline: TypeAlias = Polygon | Circle | Segments | Mesh
 
 
 def read_outline(form: Any) -> Outline:
     """Return the outline of a file form.
 
-    A list of corners is a polygon; an object with centre and radius is a circle, one with vertices
-    and faces a mesh.
+    A list of corners is a polygon; an object with centre and radius is a circle or sphere, one with
+    segments is thin walls, one with vertices and faces a mesh.
 
     Raises:
         InputError: another form, or a number out of range.
@@ -148,8 +192,23 @@ def read_outline(form: Any) -> Outline:
             for key in ("vertices", "faces")
         )
         return Mesh(vertices, faces)
+    if isinstance(form, Mapping) and "segments" in form:
+        check_keys(form, ("segments",), (), "outline")
+        return read_segments(form["segments"], "outline.segments")
     check_keys(form, ("centre", "radius"), (), "outline")
-    return Circle(check_list(form["centre"], "outline.centre", 2), form["radius"])
+    return read_round(form, "outline")
+
+
+def read_segments(form: Any, name: str) -> Segments:
+    """Return thin walls from a list of pairs of points."""
+    pairs = [check_list(x, f"{name}[{i}]", 2) for i, x in enumerate(check_list(form, name))]
+    return Segments([[check_list(end, name, 2) for end in pair] for pair in pairs])
+
+
+def read_round(form: Mapping[str, Any], name: str) -> Circle:
+    """Return a circle, or a sphere where the centre has three coordinates."""
+    centre = check_list(form["centre"], f"{name}.centre")
+    return (Sphere if len(centre) == 3 else Circle)(centre, form["radius"])
 
 
 def coordinates(values: Iterable[Any], name: str, dimension: int | None = None) -> RationalVector:

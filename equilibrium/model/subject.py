@@ -37,7 +37,7 @@ def with_contacts(subject: Subject, contacts: Iterable[Contact]) -> Subject:
     if isinstance(subject, Assembly):
         pairs = zip(subject.contacts, contacts, strict=True)
         touching = [replace(old, contact=new) for old, new in pairs]
-        return Assembly(subject.bodies, touching, subject.units)
+        return replace(subject, contacts=tuple(touching), data_error=None)
     return replace(subject.spread(contacts), units=subject.units)
 
 

@@ -4,22 +4,27 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+import numpy as np
+
 from arrangement.console.number_form import LABEL
-from arrangement.drawing.scene import Legend, Scene
+from arrangement.drawing.scene import Floats, Legend, Scene
 from arrangement.drawing.views import picture
 from arrangement.numbers.exact import RationalVector, sign
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.assembly import Assembly
-from equilibrium.model.outline import Polygon
+from equilibrium.model.outline import Circle, Outline, Polygon, Segments
 from equilibrium.wrench_sets.margin import limit_words
 
-from .body import frame_around, stated_body
+from .body import Frame, closed_line, frame_around, stated_body
 from .layout import DrawnBody, DrawnLoad, PlaneLayout
+from .panel import clipped
 from .style import symbol
 
 #: Of lengths on paper, where several bodies share the picture.
 _DETAIL = 0.7
+#: Polygons and walls of the ground are drawn as far as this beyond the bodies.
+_BEYOND = 0.15
 
 
 @picture(20.0)
@@ -30,7 +35,8 @@ def draw_assembly(subject: Assembly | Verdict, *, width: float = 88.0) -> Scene:
     the body; all arrows of forces and wrenches have one scale, which the bar states. A wrench is
     drawn on its line of action, where that is next to the middle of the body, a torque as an arc
     there. The displacement is drawn as dotted outlines, by a factor that is stated. A body without
-    outline is drawn as the dashed hull of its contacts, or as dashed lines to them.
+    outline is drawn as the dashed hull of its contacts, or as dashed lines to them. The ground is
+    drawn near the bodies, if it is stated, and a thread as a line.
 
     Args:
         subject: an assembly, or the verdict of one with its wrenches.
@@ -51,6 +57,9 @@ class _AssemblyLayout(PlaneLayout):
         points = [contact.point for contact in contacts]
         for body in assembly.bodies:
             points += body.outline.extremes if body.outline else ()
+        for part in assembly.ground:
+            points += part.extremes if isinstance(part, Circle) else ()
+        points += [contact.thread for contact in contacts if contact.thread]
         frame = frame_around(points)
         motions = {} if verdict is None else verdict.motions
         bodies, middles = [], {}
@@ -60,12 +69,12 @@ class _AssemblyLayout(PlaneLayout):
             ]
             own = [contacts[i].point for i in touching]
             shape = body.outline or _hull(own)
-            curve = None if shape is None else stated_body(shape, frame)
+            curves = [None] if shape is None else _curves(shape, frame)
             middle = _mean([*body.outline.extremes] if body.outline else own)
             middles[body.name] = middle
             bodies.append(
                 DrawnBody(
-                    curve,
+                    curves[0],
                     body.outline is not None,
                     frame.paper(middle),
                     touching,
@@ -74,6 +83,13 @@ class _AssemblyLayout(PlaneLayout):
                     body.name,
                 )
             )
+            for j, curve in enumerate(curves[1:], 2):
+                tag = f"-{k}-{j}"
+                bodies.append(DrawnBody(curve, True, bodies[-1].middle, (), bodies[-1].motion, tag))
+        bodies += [
+            DrawnBody(curve, True, np.array(curve).mean(axis=0), (), tag=f"-ground-{j}")
+            for j, curve in enumerate(_ground(assembly, frame, points), 1)
+        ]
         super().__init__(frame, contacts, bodies, _DETAIL)
         self.numbers = [
             (str(i), place, -normal)
@@ -93,6 +109,31 @@ class _AssemblyLayout(PlaneLayout):
             turn, names = 0 if pushes else sign(wrench[2]), (f"wrench-{k}", f"torque-{k}")
             loads.append(DrawnLoad(wrench[:2], turn, frame.paper(place), names))
         self.scale_forces(forces, loads)
+
+
+def _curves(outline: Outline, frame: Frame) -> list[Floats | None]:
+    """Return the parts of an outline as cubic control points; a thin wall is there and back."""
+    if isinstance(outline, Segments):
+        return [closed_line([frame.paper(end) for end in ends]) for ends in outline.segments]
+    return [stated_body(outline, frame)]
+
+
+def _ground(assembly: Assembly, frame: Frame, points: list[RationalVector]) -> list[Floats]:
+    """Return the shapes of the ground as cubic control points, those with edges near points."""
+    places = np.array([frame.paper(point) for point in points]).reshape(-1, 2)
+    curves = []
+    for shape in assembly.ground:
+        if isinstance(shape, Circle) or not len(places):
+            curves += [curve for curve in _curves(shape, frame) if curve is not None]
+            continue
+        lines = shape.segments if isinstance(shape, Segments) else [shape.extremes]
+        for line in lines:
+            ends = np.array([frame.paper(end) for end in line])
+            for way in np.array([[1, 0], [-1, 0], [0, 1], [0, -1]]):
+                ends = clipped(ends, way, float((places @ way).min()) - _BEYOND)
+            if len(ends):
+                curves.append(closed_line(list(ends)))
+    return curves
 
 
 def _hull(points: list[RationalVector]) -> Polygon | None:

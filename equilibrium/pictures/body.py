@@ -75,7 +75,11 @@ def stated_body(outline: Outline, frame: Frame) -> Floats:
     if isinstance(outline, Circle):
         radius = float(outline.radius / frame.half)
         return arc(frame.paper(outline.centre), radius, 0.0, 2 * math.pi)
-    places = [frame.paper(corner) for corner in outline.extremes]
+    return closed_line([frame.paper(corner) for corner in outline.extremes])
+
+
+def closed_line(places: Sequence[Floats]) -> Floats:
+    """Return straight lines through places and back as cubic control points (3k + 1, 2)."""
     return _joined([(p, p, q, q) for p, q in cycle_edges(places)])
 
 

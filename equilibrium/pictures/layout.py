@@ -90,6 +90,7 @@ class PlaneLayout:
         detail: factor of all lengths on paper; below 1 where bodies share the picture.
         cones: the rim of each friction cone, if cones are drawn.
         states: of contacts, at the motion that is drawn.
+        threads: the other end of each contact that is a thread, else None.
         origin: of the wrench, if it is marked.
         numbers: the text for each numbered contact, its place and the side to write it.
         pads: the ends of each pad, whose points are contacts of their own.
@@ -108,6 +109,7 @@ class PlaneLayout:
         self.frame, self.contacts, self.bodies, self.detail = frame, contacts, bodies, detail
         self.places = [frame.paper(c.point) for c in contacts]
         self.normals = [np.array([float(x) for x in c.normal]) for c in contacts]
+        self.threads = [frame.paper(c.thread) if c.thread else None for c in contacts]
         self.cones: Sequence[Floats] = ()
         self.states: Sequence[str] = ()
         self.origin: Floats | None = None
@@ -175,6 +177,7 @@ class PlaneLayout:
                 if self.moves(body):
                     held.append(self.displaced(body, held[-1]))
         held += self.cones
+        held += [np.array([end]) for end in self.threads if end is not None]
         for p, n, preload, arms in zip(
             self.places, self.normals, self.preloads, self.arms, strict=True
         ):
@@ -286,7 +289,11 @@ class PlanePicture:
                 look = {"ec": CONE_EDGE, "lw": 0.5, "ls": _AXIS}
                 scene.line([p, rim[len(rim) // 2]], gid=f"normal-{i + 1}", zorder=1.1, **look)
                 labels.avoid([*rim, p], [p, rim[len(rim) // 2]])
-            pad = PAD * layout.detail * self.scale * t
+            if (thread := layout.threads[i]) is not None:
+                look = {"ec": BLACK, "lw": 0.8, "zorder": 2.8, "gid": f"thread-{i + 1}"}
+                scene.line([p, self.at(thread)], **look)
+                labels.avoid([p, self.at(thread)])
+            pad = PAD * layout.detail * self.scale * t * (layout.threads[i] is None)
             look = {"ec": BLACK, "lw": 1.6, "capstyle": "butt", "role": "point"}
             scene.line([p - pad, p + pad], gid=f"pad-{i + 1}", zorder=3, **look)
             labels.avoid([p - pad, p + pad])

@@ -51,7 +51,7 @@ from equilibrium.decide.verdict import Verdict
 from equilibrium.model.displacement import NOT_SMALL, displacement_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.outline import Mesh
+from equilibrium.model.outline import Mesh, Sphere
 
 from .body import Frame, frame_of
 from .style import (
@@ -173,6 +173,11 @@ class SolidGrasp:
         Without an outline, or beyond 1500 facets, it is the convex hull, if that has a volume.
         """
         outline = self.grasp.outline
+        if isinstance(outline, Sphere):
+            return (
+                *_ball(self.frame.paper(outline.centre), float(outline.radius / self.frame.half)),
+                True,
+            )
         if not isinstance(outline, Mesh):
             return (*convex_hull(self.places), False)
         points = np.array([self.frame.paper(p) for p in outline.vertices])
@@ -315,6 +320,26 @@ _STATED: dict[str, Any] = {"ec": BLACK, "lw": 0.7, "role": "edge"}
 _INDICATED = {**_STATED, "ls": (0, (5, 2.5))}
 _HIDDEN: dict[str, Any] = {"ec": GREY, "lw": 0.5, "ls": (0, (3, 2.5)), "role": "hidden"}
 _DASHES: dict[str, Any] = {"axis": (0, (6, 2, 1, 2)), "link": (0, (5, 2.5))}
+
+
+def _ball(centre: Floats, radius: float) -> tuple[Floats, list[tuple[int, ...]]]:
+    """Return points and faces of a sphere, so fine that pictures show its silhouette alone."""
+    rings, around = 24, 48
+    heights, turns = (np.linspace(0, part * np.pi, n + 1) for part, n in ((1, rings), (2, around)))
+    points = [
+        centre + radius * np.array([np.sin(h) * np.cos(a), np.sin(h) * np.sin(a), -np.cos(h)])
+        for h in heights[1:-1]
+        for a in turns[:-1]
+    ]
+    low, high = len(points), len(points) + 1
+    points += [centre + np.array([0, 0, side * radius]) for side in (-1, 1)]
+    faces: list[tuple[int, ...]] = []
+    for j in range(around):
+        k, last = (j + 1) % around, (rings - 2) * around
+        faces += [(low, k, j), (high, last + j, last + k)]
+        for start in range(0, last, around):
+            faces.append((start + j, start + k, start + around + k, start + around + j))
+    return np.array(points), faces
 
 
 def solved_in_space(

@@ -851,7 +851,7 @@ class TestTextbookMakers:
         values = [
             [(c.contact.normal, c.contact.friction) for c in a.contacts] for a in (known, made)
         ]
-        assert values[0] == values[1]
+        assert sorted(values[0]) == sorted(values[1])
         less = "1/9", "1/3", "3/8", "1/4"
         for option, usual in inspect.signature(TEXTBOOK[name]).parameters.items():
             if usual.default in less and option != "half_tangent":

@@ -17,7 +17,7 @@ from arrangement.library.files.table import read_arrangement
 from equilibrium import read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.grasps.files import read_certificate
-from equilibrium.grasps.inputs import on_mesh
+from equilibrium.grasps.inputs import on_mesh, read_shapes
 from equilibrium.grasps.inputs.documents import read_any
 from equilibrium.grasps.inputs.floats import read_float_data
 from equilibrium.grasps.inputs.polygon import read_polygon
@@ -38,6 +38,10 @@ def on_box(path: Path) -> object:
     return on_mesh(path, "1/2", at=[(1, "1/5", 0)], random=1)
 
 
+def of_table(path: Path) -> object:
+    return read_shapes(path, friction="1/2")
+
+
 def as_bytes(value: object) -> bytes:
     return json.dumps(value, indent=1).encode()
 
@@ -49,6 +53,12 @@ def files() -> dict[str, tuple[str, bytes, Read]]:
     places = [{"edge": 0, "at": "1/2", "friction": "1/2"}, {"point": ["2", "1"], "friction": "1"}]
     polygon = {"schema_version": 1, "polygon": [["0", "0"], ["2", "0"], ["2", "2"]]}
     floats = {"points": [[-1.0, 0], [1, 1e-3]], "normals": [[1, 0], [-1, 0.1]], "friction": 0.3}
+    disc = {"name": "a", "circle": {"centre": [0, "1"], "radius": 1}, "weight": "2"}
+    block = {"polygon": [[1, 0], [2, 0], [2, 2], [1, 2]]}
+    walls = [{"segments": [[["-4", "0"], ["4", 0]]]}, block]
+    thread = {"body_a": "a", "body_b": None, "point": [0, 2], "to": [0, 3]}
+    shapes = {"schema_version": 1, "bodies": [disc], "friction": "0.5", "ground": walls}
+    shapes |= {"threads": [thread], "gap": 1e-3}
     proof = solve(grasp, [0, "-1/100", 0]).certificate
     glb = box().export(file_type="glb")
     assert isinstance(glb, bytes)
@@ -63,6 +73,8 @@ def files() -> dict[str, tuple[str, bytes, Read]]:
         "csv": ("csv", "\n".join(lines).encode(), read_any),
         "floats": ("json", as_bytes({"schema_version": 1} | floats), read_float_data),
         "float csv": ("csv", "\n".join(lines).encode(), read_float_data),
+        "shapes": ("json", as_bytes(shapes), read_shapes),
+        "shapes csv": ("csv", b"body,x,y,radius,x2,y2\na,0,1,1,,\n,-4,0,,4,0\n", of_table),
         "polygon": ("json", as_bytes(polygon | {"places": places}), read_polygon),
         "certificate": ("json", proof.text.encode(), lambda path: check(read_certificate(path))),
         "planes": ("json", as_bytes(Arrangement([[1, 2], [0, 1]]).to_dict()), read_arrangement),

@@ -1,4 +1,4 @@
-"""Ways to a grasp: from a polygon, a circle, a mesh, float data, a CSV file, or at random.
+"""Ways to a grasp: touching shapes, a polygon, a circle, a mesh, float data, a CSV file, at random.
 
 Everything that had to be rounded is rounded here, once, on purpose, and the error is reported
 exactly; the grasp that comes out is exact.
@@ -26,3 +26,4 @@ from .random import (
     random_wrench as random_wrench,
     star_outline as star_outline,
 )
+from .shapes import read_shapes as read_shapes

@@ -68,7 +68,9 @@ _USUAL_AXES = {"": "p pos position point contact", "normal_": "n normal", "f_": 
 _BRACKETED = re.compile(r"(.*?)\s*[\[(]\s*([^\])]*?)\s*[\])]")
 _SUFFIXED = re.compile(r"(.+)_(mm|cm|m|um|µm|in|ft|N|kN|deg|rad|degrees|radians)", re.IGNORECASE)
 _DEGREES = ("deg", "degree", "degrees", "°", "")
-_FORCES = ("preload", "adhesion", "f_x", "f_y", "f_z")
+#: The last ones are those of tables of shapes.
+_LENGTHS = ("x", "y", "z", "radius", "x2", "y2")
+_FORCES = ("preload", "adhesion", "f_x", "f_y", "f_z", "weight")
 #: A decimal as in most languages.
 _COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+(?:[eE][+-]?[0-9]+)?")
 _SEPARATORS = (",", ";", "\t")
@@ -367,7 +369,8 @@ def table_text(grasp: Grasp) -> str:
     """Return a grasp as a table, which `parse_csv` reads back.
 
     Raises:
-        GraspError: it has a pad, an outline or a bound on errors, for which a table has no place.
+        GraspError: it has a pad, a thread, an outline or a bound on errors, for which a table has
+            no place.
 
     >>> from equilibrium import Contact
     >>> print(table_text(Grasp([Contact([1, 0], [-1, 0], "1/2")])), end="")
@@ -378,6 +381,7 @@ def table_text(grasp: Grasp) -> str:
         "outline": grasp.outline is not None,
         "data_error": grasp.data_error is not None,
         "pad": len(grasp.groups) != len(grasp),
+        "thread": any(contact.thread for contact in grasp),
     }
     if lost := [name for name, value in is_there.items() if value]:
         raise GraspError(f"the grasp has a {lost[0]}, and a table has none; write .json")
@@ -396,4 +400,4 @@ def table_text(grasp: Grasp) -> str:
 
 def _kind(name: str) -> str:
     """Return what a column measures, where it states units for the others."""
-    return "length" if name in {*"xyz"} else "force" if name in _FORCES else ""
+    return "length" if name in _LENGTHS else "force" if name in _FORCES else ""

@@ -44,6 +44,15 @@ def assembly_certificate_schema() -> dict[str, Any]:
     return _with("assembly-certificate", **known)
 
 
+def shapes_schema() -> dict[str, Any]:
+    """Return the schema of files of shapes, whose contacts follow.
+
+    >>> shapes_schema()["title"]
+    'Shapes'
+    """
+    return _with("shapes", grasp=grasp_schema())
+
+
 def _with(name: str, **definitions: dict[str, Any]) -> dict[str, Any]:
     """Return a schema with others among its definitions."""
     schema = _schema(name)

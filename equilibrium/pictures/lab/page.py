@@ -123,6 +123,8 @@ def lab_page(
     heading = "The slip lab" if title is None else title
     applied = _EXAMPLES[0][2] if wrench is None else wrench
     question = question_document(grasp.without_pads(), applied, "the lab")
+    for entry in question["grasp"]["contacts"]:
+        entry.pop("thread", None)  # the lab draws no thread
     summary = "Drag contacts, normals and the load; every answer is exact."
     if grasp.has_pads:
         summary += " Here each point of a pad is a contact of its own."

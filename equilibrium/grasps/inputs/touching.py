@@ -1,0 +1,508 @@
+"""Contacts of shapes that touch: discs, spheres, polygons, thin walls and planes; threads.
+
+Where two polygons have part of an edge in common there are two contacts, at its ends, else one
+where a corner of either lies inside an edge of the other. A corner that only meets a corner is no
+contact: it has no normal. Where the boundary is straight there is no corner, whatever is listed.
+
+A disc or sphere touches a shape in one point for each disc, straight edge, plane or corner that is
+as far from its centre as it has to be, up to a gap. Centre C and radius R are data; the contact is
+derived from them: with the unit vector n along the shortest way to C it is at ``C - R n``. Where
+that way has no rational length n is a rational unit vector near it, so the line of force meets C
+exactly, and the arm of friction is R exactly, whatever was rounded. The line between two discs that
+both can move has to meet two centres; there centres move a little, in `_placed`.
+
+Overlaps are refused.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import combinations, pairwise, product
+from typing import Any, NamedTuple, TypeAlias
+
+from arrangement.console.number_form import counted
+from arrangement.numbers.exact import (
+    RationalVector,
+    dot,
+    rational,
+    simplest_between,
+    to_text,
+    vector_text,
+)
+from arrangement.numbers.linear.rank import cycle_edges, difference
+from equilibrium.model.assembly import Assembly, BodyContact, RigidBody
+from equilibrium.model.contact import Contact
+from equilibrium.model.errors import GraspError
+from equilibrium.model.outline import Circle, Outline, Polygon, Segments
+from equilibrium.model.unit_normal import UnitNormal, unit_normal
+
+from .polygon import is_straight, orientation, place_on_segment, turn
+
+#: An edge, the inside of the polygon to its left.
+_Edge = tuple[RationalVector, RationalVector]
+#: Lines of centres whose angle has a sine below this do not fix the place of a disc.
+_LEAST_SINE = Fraction(1, 100)
+
+
+class Plane(NamedTuple):
+    """The ground below a plane in space.
+
+    Attributes:
+        point: of the plane.
+        normal: away from the ground, of any length.
+    """
+
+    point: RationalVector
+    normal: RationalVector
+
+
+Form: TypeAlias = Outline | Plane
+
+
+class Shape(NamedTuple):
+    """A body, or a part of the ground.
+
+    Attributes:
+        name: of the body; of a part of the ground by which friction refers to it.
+        form: where it is; a polygon counter-clockwise and without straight corners.
+        is_body: whether it can move.
+    """
+
+    name: str
+    form: Form
+    is_body: bool = True
+
+    @property
+    def corners(self) -> tuple[RationalVector, ...]:
+        """The points where it is not smooth."""
+        return () if isinstance(self.form, Circle | Plane) else self.form.extremes
+
+    @property
+    def edges(self) -> list[_Edge]:
+        """The edges, with the inside to their left."""
+        if isinstance(self.form, Segments):
+            return [edge for a, b in self.form.segments for edge in ((a, b), (b, a))]
+        return list(cycle_edges(self.corners))
+
+
+@dataclass(frozen=True)
+class TouchingShapes:
+    """The contacts of shapes that touch, and what was rounded.
+
+    Attributes:
+        contacts: the body into which the normal points, the other one (None: the ground), and the
+            contact.
+        gaps: of each contact the distance between the shapes as they were given, below 0 where they
+            overlap (length).
+        angle_errors: of each contact, see `UnitNormal`.
+        centres: of the discs that can move.
+        moves: of each of these the largest change of a coordinate, made so that lines of force meet
+            both centres.
+        misses: of each contact how far its line of force stays away from the centre of the second
+            disc; 0 unless no places of the centres were found where it meets both.
+    """
+
+    contacts: tuple[tuple[str, str | None, Contact], ...]
+    gaps: RationalVector
+    angle_errors: RationalVector
+    centres: Mapping[str, RationalVector]
+    moves: RationalVector
+    misses: RationalVector
+
+    def assembly(self, bodies: Iterable[RigidBody], ground: Iterable[Any] = ()) -> Assembly:
+        """Return the assembly of bodies with these contacts; discs stand in their `centres`."""
+        placed = []
+        for body in bodies:
+            if body.name in self.centres and isinstance(body.outline, Circle):
+                outline = Circle(self.centres[body.name], body.outline.radius)
+                body = replace(body, outline=outline)
+            placed.append(body)
+        return Assembly(placed, [BodyContact(*entry) for entry in self.contacts], ground=ground)
+
+    @property
+    def remarks(self) -> list[str]:
+        """What was rounded, in words."""
+        lines = []
+        for values, kind, text in (
+            (self.gaps, "contact", "within the gap, not exactly"),
+            (self.angle_errors, "contact", "normal rounded, in radians"),
+            (self.moves, "centre", "moved, so that lines of force meet both centres"),
+            (self.misses, "contact", "line of force beside the second centre"),
+        ):
+            if sizes := [abs(x) for x in values if x]:
+                many = f"{len(sizes)} of {counted(len(values), kind)}"
+                lines.append(f"{text}: {many}, by up to {float(max(sizes)):.2g}")
+        return lines
+
+
+class _Touch(NamedTuple):
+    """A place where shapes touch.
+
+    Attributes:
+        first: the shape into which the normal points.
+        way: from the second shape to the first, of any length; from a place to a centre.
+        gap: the distance.
+        point: the place; None of a disc, where it is derived from the normal.
+    """
+
+    first: Shape
+    second: Shape
+    way: RationalVector
+    gap: Fraction = Fraction(0)
+    point: RationalVector | None = None
+
+
+def touching_polygons(
+    polygons: Mapping[str, Any],
+    friction: Any,
+    *,
+    ground: Iterable[Any] = (),
+    stiffness: Any = None,
+    preload: Any = 0,
+    density: Any = 0,
+    angle_tolerance: Any = None,
+) -> Assembly:
+    """Return the assembly of polygons that touch; see `Assembly.from_polygons`.
+
+    Args:
+        polygons: corners of each body by name, in either orientation.
+        friction, stiffness, preload: of all contacts; a stiffness that is not given is 1.
+        ground: corners of each polygon of the ground.
+        density: weight of a unit of area; 0: bodies have no weight.
+        angle_tolerance: the normal of an edge whose length is not rational is the nearest simple
+            one within this; None: such an edge is refused where it touches.
+
+    Raises:
+        GraspError: overlaps, or no exact normal.
+    """
+    heavy, land = rational(density, "density"), "the ground"
+    shapes = [Shape(name, counter_clockwise(corners, name)) for name, corners in polygons.items()]
+    fixed = [Shape(land, counter_clockwise(corners, land), False) for corners in ground]
+    values = {"friction": friction, "stiffness": stiffness, "preload": preload}
+    found = touching([*shapes, *fixed], lambda *_: values, angle_tolerance=angle_tolerance)
+    bodies = [RigidBody(x.name, x.form, heavy * area(x.form)) for x in shapes]  # type: ignore[arg-type]
+    return found.assembly(bodies, [x.form for x in fixed])
+
+
+def counter_clockwise(corners: Iterable[Iterable[Any]], name: str) -> Polygon:
+    """Return a simple polygon counter-clockwise, without the corners where it is straight."""
+    found = Polygon(corners).corners
+    try:
+        turned = orientation(found)
+    except GraspError as error:
+        raise GraspError(f"{name}: {error}") from None
+    bent = tuple(x for i, x in enumerate(found) if not is_straight(found, i))
+    return Polygon(bent if turned > 0 else bent[::-1])
+
+
+def area(form: Form) -> Fraction:
+    """Return the area of a polygon with counter-clockwise corners; 0 of others."""
+    corners = form.corners if isinstance(form, Polygon) else ()
+    return sum((turn(a, b) for a, b in cycle_edges(corners)), Fraction(0)) / 2
+
+
+def touching(
+    shapes: Iterable[Shape],
+    values: Callable[[str, str], Mapping[str, Any]],
+    *,
+    gap: Any = 0,
+    angle_tolerance: Any = None,
+) -> TouchingShapes:
+    """Return the contacts of shapes, in the order of pairs of shapes.
+
+    Args:
+        shapes: all in the plane, or spheres and planes in space.
+        values: friction, stiffness and preload of a contact, from the names of both shapes.
+        gap: discs that are this close to a shape, or overlap it by this, touch it; at least 0 and
+            below all radii. Polygons touch exactly.
+        angle_tolerance: of normals that have no exact unit form; None refuses them.
+
+    Raises:
+        GraspError: overlaps, or no exact normal.
+    """
+    listed, close = list(shapes), rational(gap, "gap")
+    least = min((x.form.radius for x in listed if isinstance(x.form, Circle)), default=close + 1)
+    if not 0 <= close < least:
+        raise GraspError(
+            f"gap is {to_text(close)}; it must be at least 0 and below the least radius"
+        )
+    found = [
+        touch
+        for one, other in combinations(listed, 2)
+        if (one.is_body or other.is_body) and not _are_apart(one, other, close)
+        for touch in _touches(one, other, close)
+    ]
+    units = [_unit(touch, angle_tolerance) for touch in found]
+    discs = {x.name: x.form.centre for x in listed if x.is_body and isinstance(x.form, Circle)}
+    lines = {
+        (touch.first.name, touch.second.name): unit.normal
+        for touch, unit in zip(found, units, strict=True)
+        if {touch.first.name, touch.second.name} <= discs.keys()
+    }
+    centres = _placed(discs, lines)
+    contacts, misses = list[tuple[str, str | None, Contact]](), list[Fraction]()
+    for (first, second, _, _, point), unit in zip(found, units, strict=True):
+        normal, form, miss = unit.normal, first.form, Fraction(0)
+        if isinstance(form, Circle):
+            centre = centres.get(first.name, form.centre)
+            point = tuple(c - form.radius * n for c, n in zip(centre, normal, strict=True))
+            if (first.name, second.name) in lines:
+                miss = abs(turn(difference(centres[second.name], centre), normal))
+        assert point is not None  # those of discs are set above
+        misses.append(miss)
+        names = first.name, second.name if second.is_body else None
+        if not first.is_body:
+            names, normal = (second.name, None), tuple(-x for x in normal)
+        law = values(first.name, second.name)
+        contacts.append((*names, Contact(point, normal, **law)))
+    return TouchingShapes(
+        tuple(contacts),
+        tuple(touch.gap for touch in found),
+        tuple(unit.angle_error for unit in units),
+        centres,
+        tuple(max(map(abs, difference(centres[name], place))) for name, place in discs.items()),
+        tuple(misses),
+    )
+
+
+def _are_apart(one: Shape, other: Shape, gap: Fraction) -> bool:
+    """Return whether the boxes around two shapes are farther apart than a gap."""
+    if isinstance(one.form, Plane) or isinstance(other.form, Plane):
+        return False
+    boxes = zip(*one.form.extremes, strict=True), zip(*other.form.extremes, strict=True)
+    return any(max(a) + gap < min(b) or max(b) + gap < min(a) for a, b in zip(*boxes, strict=True))
+
+
+def _touches(one: Shape, other: Shape, gap: Fraction) -> Iterator[_Touch]:
+    if isinstance(other.form, Circle) and not (isinstance(one.form, Circle) and one.is_body):
+        one, other = other, one
+    if isinstance(one.form, Circle):
+        yield from _round_touches(one, other, one.form, gap)
+    else:
+        _refuse_overlap(one, other)
+        for point, (start, end) in dict.fromkeys(_edge_touches(one, other)):
+            along = difference(end, start)
+            yield _Touch(one, other, (along[1], -along[0]), point=point)
+
+
+def _round_touches(disc: Shape, other: Shape, form: Circle, gap: Fraction) -> Iterator[_Touch]:
+    """Yield where a disc or sphere touches."""
+    reach = other.form.radius if isinstance(other.form, Circle) else Fraction(0)
+    due, ways = form.radius + reach, list(dict.fromkeys(_ways(form.centre, other)))
+    if isinstance(other.form, Polygon) and _contains(form.centre, other):
+        ways = [form.centre[:0]]
+    for way in ways:
+        square = Fraction(dot(way, way))
+        if square < (due - gap) ** 2:
+            raise GraspError(
+                f"{disc.name} and {other.name} overlap: the centre {vector_text(form.centre)} is "
+                f"nearer than {to_text(due)}, with a gap of {to_text(gap)}; expected shapes that "
+                "touch at most. Move one, or give a larger gap"
+            )
+        if square <= (due + gap) ** 2:
+            yield _Touch(disc, other, way, _root(square) - due)
+
+
+def _ways(centre: RationalVector, shape: Shape) -> Iterator[RationalVector]:
+    """Yield the shortest ways to a centre from a disc's centre, a plane, edges and corners."""
+    form = shape.form
+    if isinstance(form, Circle):
+        yield difference(centre, form.centre)
+        return
+    if isinstance(form, Plane):
+        height = Fraction(dot(form.normal, difference(centre, form.point)))
+        share = max(height, Fraction(0)) / dot(form.normal, form.normal)
+        yield tuple(share * x for x in form.normal)
+        return
+    # A corner counts where no edge at it has a nearer place; inside another wall it is none.
+    is_nearest: dict[RationalVector, bool] = {}
+    for a, b in shape.edges:
+        along, away = difference(b, a), difference(centre, a)
+        share = Fraction(dot(along, away)) / dot(along, along)
+        is_nearest[a] = is_nearest.get(a, True) and share <= 0
+        is_nearest[b] = is_nearest.get(b, True) and share >= 1
+        if 0 < share < 1 and turn(along, away) <= 0:
+            yield tuple(y - share * x for x, y in zip(along, away, strict=True))
+    for corner, nearest in is_nearest.items():
+        if nearest and not any(_inside(corner, edge) for edge in shape.edges):
+            yield difference(centre, corner)
+
+
+def _root(square: Fraction) -> Fraction:
+    """Return a square root, exactly where it is rational, else to 2^-60."""
+    top, bottom = math.isqrt(square.numerator), math.isqrt(square.denominator)
+    if (exact := Fraction(top, bottom)) ** 2 == square:
+        return exact
+    return Fraction(math.isqrt((square.numerator << 120) // square.denominator), 1 << 60)
+
+
+def _placed(
+    discs: Mapping[str, RationalVector], lines: Mapping[tuple[str, str], RationalVector]
+) -> dict[str, RationalVector]:
+    """Return centres near the given ones such that lines along given directions join them.
+
+    One disc after the other is placed, each on the lines from those before it: on one line next to
+    where it was, at the crossing of two. The order leaves few lines to those before (the disc with
+    the fewest neighbours is last, and so on), at most two unless every disc of some part has three
+    neighbours in it; a third line is met where the data allow it, as in rows of equal discs.
+    """
+    neighbours: dict[str, dict[str, RationalVector]] = {name: {} for name in discs}
+    for (one, other), normal in lines.items():
+        neighbours[one][other] = neighbours[other][one] = normal
+    order, left = list[str](), {name: set(others) for name, others in neighbours.items()}
+    # How many lines of each do not join the given centres: the fewer, the earlier it is placed.
+    missed = Counter(
+        name
+        for (one, other), normal in lines.items()
+        if turn(difference(discs[one], discs[other]), normal)
+        for name in (one, other)
+    )
+    while left:
+        order.append(last := min(left, key=lambda name: (len(left[name]), -missed[name])))
+        for other in left.pop(last):
+            left[other].discard(last)
+    placed: dict[str, RationalVector] = {}
+    for name in reversed(order):
+        before = [(placed[x], n) for x, n in neighbours[name].items() if x in placed]
+        placed[name] = _on_lines(discs[name], before)
+    return {name: placed[name] for name in discs}
+
+
+def _on_lines(
+    place: RationalVector, lines: Sequence[tuple[RationalVector, RationalVector]]
+) -> RationalVector:
+    """Return the place near a given one that is on one line, or on the two that cross best."""
+    if not any(turn(difference(place, start), n) for start, n in lines):
+        return place
+    start, along = lines[0]
+    second, across = max(lines, key=lambda line: abs(turn(along, line[1])))
+    if abs(sine := turn(along, across)) >= _LEAST_SINE:
+        step = turn(difference(second, start), across) / sine
+    else:
+        step = Fraction(dot(difference(place, start), along))
+        room = abs(step) / 10**12
+        step = simplest_between(step - room, step + room)
+    return tuple(x + step * n for x, n in zip(start, along, strict=True))
+
+
+def _edge_touches(one: Shape, other: Shape) -> Iterator[tuple[RationalVector, _Edge]]:
+    """Yield points of contact, each with an edge that has the second shape to its left."""
+    shared: set[RationalVector] = set()
+    for edge in other.edges:
+        for mine in one.edges:
+            ends = _common(edge, mine)
+            # Of the two edges of a thin wall the one counts that has the wall to its left.
+            if len(ends) == 2 and dot(difference(*edge), difference(*mine)) < 0:
+                shared |= {*ends}
+                yield from ((point, edge) for point in ends)
+    for point, edge in _corners_on(one, other):
+        if point not in shared:
+            yield point, edge
+    for point, (start, end) in _corners_on(other, one):
+        if point not in shared:
+            # Turned round it has the second shape to its left.
+            yield point, (end, start)
+
+
+def _common(edge: _Edge, mine: _Edge) -> list[RationalVector]:
+    """Return the ends of what two edges have in common, two if both lie on one line."""
+    ends = [p for p in mine if place_on_segment(*edge, p) is not None]
+    ends += [p for p in edge if place_on_segment(*mine, p) is not None]
+    return list(dict.fromkeys(ends))
+
+
+def _inside(point: RationalVector, edge: _Edge) -> bool:
+    """Return whether a point lies on an edge and is not one of its ends."""
+    return point not in edge and place_on_segment(*edge, point) is not None
+
+
+def _corners_on(one: Shape, other: Shape) -> Iterator[tuple[RationalVector, _Edge]]:
+    """Yield corners of one shape inside edges of another, from whose right side they come."""
+    for a, b in other.edges:
+        for corner in one.corners:
+            if _inside(corner, (a, b)):
+                beside = [end for edge in one.edges if corner in edge for end in edge]
+                if all(turn(difference(b, a), difference(end, a)) <= 0 for end in beside):
+                    yield corner, (a, b)
+
+
+def _refuse_overlap(one: Shape, other: Shape) -> None:
+    """Refuse polygons whose insides meet, and thin walls inside polygons or across thin walls.
+
+    Insides meet where the edge of one runs inside the other, or two edges run the same way: the
+    inside is to the left of both.
+    """
+    if isinstance(one.form, Segments) and isinstance(other.form, Segments):
+        for (a, b), (c, d) in product(one.form.segments, other.form.segments):
+            ways = ((a, b, c), (a, b, d), (c, d, a), (c, d, b))
+            turns = [turn(difference(q, p), difference(r, p)) for p, q, r in ways]
+            if turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0:
+                raise GraspError(f"a wall of {one.name} crosses one of {other.name}; move one")
+        return
+    for shape, second in ((one, other), (other, one)):
+        for edge in shape.edges:
+            for start, end in _pieces(edge, second):
+                middle = tuple((x + y) / 2 for x, y in zip(start, end, strict=True))
+                if _is_within(middle, edge, second, isinstance(shape.form, Segments)):
+                    raise GraspError(
+                        f"{one.name} and {other.name} overlap at {vector_text(middle)}; expected "
+                        "polygons that touch at most"
+                    )
+
+
+def _pieces(edge: _Edge, shape: Shape) -> Iterator[_Edge]:
+    """Yield the parts of an edge between the places where it meets the edges of a shape.
+
+    Where it runs along one of these, it meets another one at each of the ends.
+    """
+    start, end = edge
+    along = difference(end, start)
+    places = {Fraction(0), Fraction(1)}
+    for a, b in shape.edges:
+        across = difference(b, a)
+        if slope := turn(along, across):
+            s = turn(difference(a, start), across) / slope
+            t = turn(difference(a, start), along) / slope
+            places |= {s} if 0 <= s <= 1 and 0 <= t <= 1 else set()
+    ordered = [tuple(x + s * y for x, y in zip(start, along, strict=True)) for s in sorted(places)]
+    yield from pairwise(ordered)
+
+
+def _is_within(point: RationalVector, edge: _Edge, shape: Shape, is_thin: bool) -> bool:
+    """Return whether a point of an edge is inside a polygon, or on an edge that runs the same way.
+
+    Args:
+        is_thin: whether the edge is of a thin wall, which may lie on edges.
+    """
+    for a, b in shape.edges:
+        if place_on_segment(a, b, point) is not None:
+            along, mine = difference(b, a), difference(edge[1], edge[0])
+            is_wall = is_thin or isinstance(shape.form, Segments)
+            return not is_wall and bool(dot(along, mine) > 0)
+    return _contains(point, shape)
+
+
+def _contains(point: RationalVector, shape: Shape) -> bool:
+    """Return whether a point off the boundary is inside: the ray to the right leaves once more."""
+    crossings = 0
+    for a, b in shape.edges:
+        if (a[1] > point[1]) != (b[1] > point[1]):
+            lower, upper = (a, b) if a[1] < b[1] else (b, a)
+            crossings += turn(difference(upper, lower), difference(point, lower)) > 0
+    return crossings % 2 == 1
+
+
+def _unit(touch: _Touch, tolerance: Any) -> UnitNormal:
+    """Return the exact unit normal along a direction, or one near it."""
+    found = unit_normal(touch.way, "1/1000" if tolerance is None else tolerance)
+    if found.angle_error and tolerance is None:
+        raise GraspError(
+            f"the normal between {touch.first.name} and {touch.second.name} is along "
+            f"{vector_text(touch.way)}, whose length is not rational; give angle_tolerance to take "
+            "one near it"
+        )
+    return found
