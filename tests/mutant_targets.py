@@ -434,6 +434,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.core.tree",
     ),
     ("tests/equilibrium/test_any_direction.py",): ("equilibrium.wrench_sets.any_direction",),
+    ("tests/equilibrium/test_best_direction.py",): ("equilibrium.wrench_sets.best_direction",),
     ("tests/equilibrium/test_resisted_set.py",): ("equilibrium.wrench_sets.resisted_set",),
     ("tests/equilibrium/test_parameter.py",): (
         "arrangement.numbers.expressions",

@@ -13,7 +13,7 @@ GRASP, ASSEMBLY, MANY = SUBJECTS = "one body", "an assembly", "a file of many gr
 #: Forms of `solve`, `resisted` and `info` that no option names.
 FULL_MODEL = "the verdict of the full model"
 LOAD, WHOLE_SET = "a load (--wrench, --force or --weight)", "the whole set"
-PARAMETER, FRICTION = "--parameter", "--friction"
+PARAMETER, FRICTION, BEST = "--parameter", "--friction", "--best-direction"
 DESCRIPTION, REPORT = "the description", "the report"
 
 #: For the options of a command the subjects and the forms that they go with. Where an option names
@@ -33,19 +33,20 @@ GOES_WITH: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "on": (ASSEMBLY,),
         "along": (ASSEMBLY, "--along"),
         "wrench": (GRASP,),
-        "force weight at": (GRASP, LOAD, "--margin", PARAMETER, FRICTION),
+        "force weight at": (GRASP, LOAD, "--margin", PARAMETER, FRICTION, BEST),
+        "best_direction": (GRASP, BEST),
         "smallest": (GRASP, "--smallest"),
         "slice": (GRASP, "--slice"),
         "search": (GRASP, "--search"),
         "candidates": (GRASP, LOAD),
-        "base": (GRASP, LOAD, "--smallest"),
+        "base": (GRASP, LOAD, "--smallest", BEST),
         "torque_length": (GRASP, "--smallest"),
         "origin": (GRASP, "--slice"),
         "rays max_magnitude": (GRASP, "--search"),
         "also": (GRASP, "--margin"),
         "contacts": ("--margin",),
         "tolerance": ("--margin", "--search", PARAMETER, FRICTION),
-        "max_displacement": (LOAD, "--along", "--margin", "--smallest", "--slice", WHOLE_SET),
+        "max_displacement": (LOAD, "--along", "--margin", "--smallest", "--slice", WHOLE_SET, BEST),
     },
     "info": {
         "wrench force weight output": (GRASP, REPORT),

@@ -1,4 +1,4 @@
-"""The subcommand ``equilibrium resisted``: which wrenches a grasp resists, in six forms.
+"""The subcommand ``equilibrium resisted``: which wrenches a grasp resists, in eight forms.
 
 Two of them, magnitudes of a load and its margin, are for assemblies of several bodies, too.
 """
@@ -29,7 +29,7 @@ from .arguments import (
     show,
     spanning_wrench,
 )
-from .goes_with import ASSEMBLY, FRICTION, GRASP, LOAD, PARAMETER, WHOLE_SET, check_options
+from .goes_with import ASSEMBLY, BEST, FRICTION, GRASP, LOAD, PARAMETER, WHOLE_SET, check_options
 
 if TYPE_CHECKING:
     from equilibrium.model.assembly import Assembly
@@ -51,6 +51,16 @@ def add_command_resisted(commands: Any) -> None:
     parser.description += " In space: along a load only, without --margin."
     text = "planar grasps: find the smallest wrench that is not resisted, in any direction"
     forms.add_argument("--smallest", action="store_true", help=text)
+    text = (
+        "planar grasps: find the least force at this point that the load does not bear, over all "
+    )
+    parser.add_argument(
+        "--best-direction",
+        nargs=2,
+        type=values.rational_argument,
+        metavar=("X", "Y"),
+        help=f"{text}directions",
+    )
     text = "planar grasps: only the plane spanned by two of fx, fy, tau or vectors such as 1,0,0"
     forms.add_argument("--slice", nargs=2, metavar=("U", "V"), type=spanning_wrench, help=text)
     text = "planar grasps: search for the largest force in N directions, as the paper does"
@@ -75,7 +85,9 @@ def add_command_resisted(commands: Any) -> None:
     parser.add_argument("--friction", nargs="+", type=numbers, metavar="NUMBER", help=text)
     text = "with a load: print which contacts of this file (as GRASP), each added alone, resist it"
     parser.add_argument("--candidates", metavar="FILE", help=text)
-    text = "with a load or --smallest: a wrench that acts in any case (default: none)"
+    text = (
+        "with a load, --smallest or --best-direction: a wrench that acts in any case (default: 0)"
+    )
     add_wrench(parser, "--base", text, None)
     text = "with --smallest: divide torques by this to compare them with forces (default: 1)"
     add_number(parser, "--torque-length", None, text)
@@ -141,6 +153,8 @@ def _form(
     arguments: argparse.Namespace,
 ) -> tuple[str, Callable[[argparse.Namespace, Grasp], Answer]]:
     """Return which form of the command is meant, with its function."""
+    if arguments.best_direction is not None:
+        return BEST, _best_direction
     if has_load(arguments):
         return ("--margin", _margin) if arguments.margin else (LOAD, _along)
     if arguments.slice is not None:
@@ -197,9 +211,7 @@ def _candidates(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
     from equilibrium.wrench_sets.text import Answer
 
     candidates = read_any(arguments.candidates, round_normals=arguments.round_normals)
-    start = grasp.read_wrench(applied(arguments, grasp))
-    loads = [start, grasp.read_wrench(arguments.base)] if arguments.base else [start]
-    wrench = list(map(sum, zip(*loads, strict=True)))
+    wrench = _with_base(arguments, grasp)
     sets = _set(arguments, grasp).with_contact(candidates.grasp)
     verdicts = [resisted.solve(wrench).verdict for resisted in sets]
     tried = list(zip(candidates.grasp.parts, verdicts, strict=True))
@@ -216,12 +228,27 @@ def _candidates(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
     return Answer(document, lines, yes)
 
 
+def _with_base(arguments: argparse.Namespace, grasp: Grasp) -> list[Any]:
+    """Return the load with what acts in any case."""
+    start = grasp.read_wrench(applied(arguments, grasp))
+    loads = [start, grasp.read_wrench(arguments.base)] if arguments.base else [start]
+    return list(map(sum, zip(*loads, strict=True)))
+
+
 def _smallest(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
     from equilibrium.wrench_sets.text import smallest_answer
 
     length = 1 if arguments.torque_length is None else arguments.torque_length
     smallest = _set(arguments, grasp).smallest_outside(arguments.base or 0, length)
     return smallest_answer(smallest, grasp)
+
+
+def _best_direction(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
+    from equilibrium.wrench_sets.text import direction_answer
+
+    load = _with_base(arguments, grasp) if has_load(arguments) else arguments.base or (0, 0, 0)
+    found = _set(arguments, grasp).best_direction(load, arguments.best_direction)
+    return direction_answer(found, grasp)
 
 
 def _slice(arguments: argparse.Namespace, grasp: Grasp) -> Answer:

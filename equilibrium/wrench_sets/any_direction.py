@@ -74,7 +74,7 @@ class SmallestUnresisted(JsonMixin):
     @property
     def size(self) -> Fraction | None:
         """The root of `size_squared`: exact where it is rational, else 64 bits of it."""
-        return None if self.size_squared is None else _root(self.size_squared)
+        return None if self.size_squared is None else root(self.size_squared)
 
 
 def smallest_unresisted_wrench(
@@ -113,7 +113,7 @@ def smallest_unresisted_wrench(
             return SmallestUnresisted(*sizes, None, None, None)
         square = sizes.square(part.nearest)
     end = sizes.base if part is None else part.nearest
-    beyond = _beyond(pieces, part, sizes, _BEYOND * (_root(square) or 1))
+    beyond = _beyond(pieces, part, sizes, _BEYOND * (root(square) or 1))
     added = (difference(load, sizes.base) for load in (end, beyond))
     return SmallestUnresisted(*sizes, square, *added)
 
@@ -122,7 +122,7 @@ _ORIGIN: RationalVector = (Fraction(0),) * 3
 _AXES = tuple(tuple(Fraction(i == j) for j in range(3)) for i in range(3))
 
 
-def _root(square: Fraction) -> Fraction:
+def root(square: Fraction) -> Fraction:
     """Return a root to 64 bits, rounded down; exact where it is rational."""
     top, bottom = square.as_integer_ratio()
     return Fraction(isqrt(top * bottom << 128), bottom << 64)

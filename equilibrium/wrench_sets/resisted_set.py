@@ -23,6 +23,7 @@ from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 
 from .any_direction import SmallestUnresisted, smallest_unresisted_wrench
+from .best_direction import BestDirection, best_direction
 from .line import (
     Magnitudes,
     RoundedEnds,
@@ -353,6 +354,21 @@ class ResistedSet(HintsMixin, JsonMixin):
         """
         self._of_grasp()
         return smallest_unresisted_wrench(self, self._load(base), torque_length)
+
+    def best_direction(
+        self, base: Iterable[Any] | int = 0, point: Iterable[Any] = (0, 0)
+    ) -> BestDirection:
+        """Return the least force at a point at which resistance ends, over all directions; exact.
+
+        Args:
+            base: a wrench that acts in any case; 0: none.
+            point: where the force acts.
+
+        Raises:
+            GraspError: a base or a point of wrong length, or a grasp in space.
+            OutOfReachError: too many choices of contact states.
+        """
+        return best_direction(self, self._load(base), point)
 
     def search(
         self,

@@ -9,7 +9,7 @@ from operator import itemgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arrangement.console.number_form import bracket, counted, number, vector
-from arrangement.numbers.exact import number_text
+from arrangement.numbers.exact import RationalVector, dot, number_text
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.decide import undecided
 from equilibrium.decide.assemblies.ends import Giving, listed_contacts
@@ -17,7 +17,8 @@ from equilibrium.decide.nearby import DEPENDS
 from equilibrium.model.errors import UndecidedError
 from equilibrium.model.labels import AS_ROUNDED, ROUNDED
 
-from .any_direction import SmallestUnresisted
+from .any_direction import SmallestUnresisted, root
+from .best_direction import BestDirection, angle
 from .friction import TOLERANCE, rough_contacts
 from .line import Magnitudes
 from .margin import Margin, Preloads
@@ -275,6 +276,36 @@ def _smallest_lines(smallest: SmallestUnresisted, grasp: Grasp) -> Iterator[str]
     else:
         yield f"{load}no size is resisted in every direction"
     yield f"not resisted: {vector(smallest.beyond)}"
+
+
+def direction_answer(best: BestDirection, grasp: Grasp) -> Answer:
+    """Return the least force that moves an object, and the least one that holds it."""
+    return Answer(best.to_dict(), _direction_lines(best, _force(grasp)), best.moving is not None)
+
+
+def _direction_lines(best: BestDirection, unit: str) -> Iterator[str]:
+    where = f"at {vector(best.point)}"
+    if best.holding is not None:
+        yield f"the load alone is not resisted; the least force {where} that holds it:"
+        yield f"  {_size_text(best.holding, unit)}"
+    if best.moving is None or best.beyond is None:
+        yield f"in no direction does resistance end at a force {where}, unless that direction alone"
+        yield "  is resisted, between others that are not"
+        return
+    yield f"the least force {where} at which resistance ends as it grows:"
+    yield f"  {_size_text(best.moving, unit)}"
+    yield f"not resisted: force {vector(best.beyond)}"
+
+
+def _size_text(force: RationalVector, unit: str) -> str:
+    """Return size, direction and components of a force."""
+    square = dot(force, force)
+    size = root(square)
+    if not square:
+        return "0: the load alone is on the boundary, or not resisted"
+    exact = size**2 == square
+    words = number(size) if exact else number_text(size, longest=0)
+    return f"{words}{unit} at {angle(force):.4g} degrees from the x axis: {vector(force)}"
 
 
 def region_answer(region: Region) -> Answer:

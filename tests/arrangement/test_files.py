@@ -281,7 +281,9 @@ def test_every_built_in_document_reads_and_describes_itself():
     assert set(BUILT_IN) <= set(known)
     for name, path in known.items():
         if name not in ONE_BODY:
-            with pytest.raises(InputError, match="contacts, planes, polygon, segments; it has none"):
+            with pytest.raises(
+                InputError, match="contacts, planes, polygon, segments; it has none"
+            ):
                 read_arrangement(name)
         elif is_in_space(name):
             with pytest.raises(InputError, match="in space"):

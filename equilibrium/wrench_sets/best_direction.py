@@ -1,0 +1,163 @@
+"""The least force at a point, in the best direction, that a grasp with a load does not resist.
+
+The forces at one point are a plane of wrenches, in which the resisted ones are a union of polygons
+(`plane`). Along a direction resistance ends where the ray leaves them: at an edge of their outline
+that has the load on its inner side. So the least of these forces is the nearest point of all these
+edges, exactly.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import count
+from typing import TYPE_CHECKING, Any
+
+from arrangement.console.number_form import JsonMixin
+from arrangement.numbers.exact import RationalVector, dot, rational_vector, simplest_between
+from equilibrium.model.errors import GraspError
+from equilibrium.model.grasp import read_wrench
+
+from .any_direction import root
+from .outline import Segment
+
+if TYPE_CHECKING:
+    from .plane import Region
+    from .resisted_set import ResistedSet
+
+#: How far `BestDirection.beyond` is from `moving` at most, as a share of its size.
+_BEYOND = Fraction(1, 1000)
+_ORIGIN: RationalVector = (Fraction(0), Fraction(0))
+
+
+@dataclass(frozen=True, repr=False)
+class BestDirection(JsonMixin):
+    """The least forces that move an object, and that hold it.
+
+    Attributes:
+        base: the load that acts in any case.
+        point: where the force acts.
+        moving: the least force (f_x, f_y) at which resistance ends as it grows; it is itself
+            resisted. None if no force in any direction ends it.
+        beyond: one that is not resisted, `solve` proves it; from `moving` it is away by at most a
+            thousandth of its size (of 1, if that is 0).
+        holding: where the load alone is not resisted, the least force with which it is; None if
+            there is none.
+    """
+
+    json_fields = ("base", "point", "moving", "size_squared", "degrees", "beyond", "holding")
+
+    base: RationalVector
+    point: RationalVector
+    moving: RationalVector | None
+    beyond: RationalVector | None
+    holding: RationalVector | None
+
+    @property
+    def size_squared(self) -> Fraction | None:
+        """The square of the size of `moving`."""
+        return None if self.moving is None else dot(self.moving, self.moving)
+
+    @property
+    def size(self) -> Fraction | None:
+        """The root of `size_squared`: exact where it is rational, else 64 bits of it."""
+        return None if self.size_squared is None else root(self.size_squared)
+
+    @property
+    def degrees(self) -> float | None:
+        """The angle of `moving` from the x axis, rounded."""
+        return None if not self.size_squared else angle(self.moving)
+
+
+def angle(force: RationalVector | None) -> float:
+    """Return the direction of a force in degrees, from the x axis, rounded."""
+    assert force is not None
+    return math.degrees(math.atan2(*map(float, reversed(force))))
+
+
+def best_direction(
+    whole: ResistedSet, base: Iterable[Any] = (0, 0, 0), point: Iterable[Any] = (0, 0)
+) -> BestDirection:
+    """Return the least force at a point that a grasp with a load does not resist, exactly.
+
+    Forces that are resisted in one direction alone, next to others that are not, do not count.
+
+    Args:
+        base: a wrench that acts in any case.
+        point: where the force acts.
+
+    Raises:
+        GraspError: a base or a point of wrong length, or a grasp in space.
+
+    >>> from equilibrium import Contact, Grasp, ResistedSet
+    >>> block = Grasp([Contact([x, 0], [0, 1], "3/4") for x in (-3, 3)])
+    >>> best_direction(ResistedSet(block), [0, -5, 0]).size  # 5 sin(atan 3/4)
+    Fraction(3, 1)
+    """
+    load = read_wrench(base)
+    place = rational_vector(point, "point")
+    if len(place) != 2:
+        raise GraspError(f"point has {len(place)} coordinates; expected 2")
+    x, y = place
+    region = whole.slice((1, 0, -y), (0, 1, x), load)
+    border, is_held = region.outline.border, region.contains(_ORIGIN)
+    ends = [edge for edge in border if edge.constant > 0 or (is_held and not edge.constant)]
+    if is_held and not any(
+        p.polyhedron.dimension == 2 and p.polyhedron.contains(_ORIGIN) for p in region.polygons
+    ):
+        moving, edge = _ORIGIN, None
+    elif not ends:
+        return BestDirection(load, place, None, None, _holding(region, is_held))
+    else:
+        moving, edge = min(
+            ((_nearest(edge), edge) for edge in ends), key=lambda pair: dot(pair[0], pair[0])
+        )
+    return BestDirection(
+        load, place, moving, _beyond(region, moving, edge), _holding(region, is_held)
+    )
+
+
+def _nearest(edge: Segment) -> RationalVector:
+    """Return the point of a part of a line that is nearest to the origin."""
+    along, ends = edge.direction, (edge.start, edge.end)
+    square = dot(along, along)
+    foot = tuple(Fraction(-edge.constant * x, square) for x in edge.normal)
+    low, high = (None if end is None else dot(end, along) for end in ends)
+    if low is not None and low > 0:
+        return edge.start  # type: ignore[return-value]
+    return edge.end if high is not None and high < 0 else foot  # type: ignore[return-value]
+
+
+def _holding(region: Region, is_held: bool) -> RationalVector | None:
+    """Return the least force that is resisted, if none at all is not."""
+    outline = region.outline
+    parts = [_nearest(edge) for edge in (*outline.border, *outline.whiskers)]
+    points = [] if is_held else [*parts, *outline.points]
+    return min(points, default=None, key=lambda x: dot(x, x))
+
+
+def _beyond(region: Region, end: RationalVector, edge: Segment | None) -> RationalVector:
+    """Return a force that is not resisted, near an end of the resisted ones on an edge.
+
+    Those tried are ``p + f/2^k (u - v/2^k)``: p is the end, u leads along the edge, v to its inner
+    side. A polygon with infinitely many of them has p, and covers the outer side of the edge there,
+    or it is flat; but a line has two of them at most. So one is in no polygon.
+
+    Args:
+        edge: None where no polygon with area has the end.
+    """
+    reach = _BEYOND * (root(dot(end, end)) or 1) / 2
+    u, v = ((1, 0), (0, 1)) if edge is None else (edge.direction, edge.normal)
+    if edge is not None and end == edge.end:
+        u = (-u[0], -u[1])
+    size = sum(map(abs, u))
+    for k in count(1):
+        far = reach / 2**k / size
+        exact = tuple(x + far * (a - Fraction(b, 2**k)) for x, a, b in zip(end, u, v, strict=True))
+        for room in (far / 4**k, Fraction(0)):
+            found = tuple(simplest_between(x - room, x + room) if room else x for x in exact)
+            if not region.contains(found):
+                return found
+    raise AssertionError  # See above.
