@@ -419,7 +419,7 @@ def _carried(
         slips_at_limit: whether contacts that stick with friction at its limit may slip.
     """
     domain = Domain(Span(value, value), letter=family.letter)
-    zero, posed = Function.constant(0, _Everywhere(domain.span)), list[Any]()
+    zero, posed = Function.constant(0, _Everywhere(domain.span, letter=family.letter)), list[Any]()
     for wrenches, *values in function_rows(family, domain):
         frame: list[Any] = [tuple(zero + x for x in wrench) for wrench in wrenches]
         functions: list[Any] = [zero + x for x in values]
