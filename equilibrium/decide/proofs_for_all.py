@@ -24,6 +24,7 @@ from equilibrium.certificate.document import Certificate, certificate
 from equilibrium.certificate.robust import Holding, virtual_motion_problem
 from equilibrium.certificate.uncertain import Bounds, root
 from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contacts import FloatContacts
 from equilibrium.model.contact import Contact, radius_squared
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
@@ -151,25 +152,18 @@ class _FloatSubject:
     def __init__(self, subject: Subject, load: RationalVector, bounds: Bounds) -> None:
         self.subject, self.wrench, self.bounds = subject, load, bounds
         rows = rows_of(subject)
-        self.m = m = len(rows)
-        self.d = 1 + rows.tangents
-        points = np.array(rows.points, float).reshape(m, self.d)
+        contacts = FloatContacts(rows)
+        self.m, self.d = m, d = len(rows), 1 + rows.tangents
+        points = np.array(rows.points, float).reshape(m, d)
         arm = float(np.ptp(points, axis=0).max()) if m else 0.0
-        arm = arm or 1.0
-        self.units = np.where(rows.turns, 1 / arm, 1.0)
-        n = len(self.units)
+        self.units = contacts.arms(1 / (arm or 1.0))
         self.load = np.array(rows.total_load(load), float) * self.units
-        preload = np.array([float(c.preload) for c in rows])
-        self.force = float(np.abs(np.append(self.load, preload)).max()) or 1.0
-        self.load, self.preload = self.load / self.force, preload / self.force
-        stiffness = np.array([float(c.stiffness) for c in rows])
-        self.stiff = (float(stiffness.mean()) if m else 1.0) or 1.0
-        self.stiffness = stiffness / self.stiff
-        self.given_friction = np.array([float(c.friction) for c in rows])
+        self.force = float(np.abs(np.append(self.load, contacts.preload)).max()) or 1.0
+        self.load, self.preload = self.load / self.force, contacts.preload / self.force
+        self.stiff = (float(contacts.stiffness.mean()) if m else 1.0) or 1.0
+        self.stiffness, self.given_friction = contacts.stiffness / self.stiff, contacts.friction
         self.friction = self.given_friction * (1 - float(bounds.friction))
-        self.normal = np.array([c.normal_wrench for c in rows], float).reshape(m, n) * self.units
-        tangents = np.array([c.tangential_wrenches for c in rows], float)
-        self.tangents = tangents.reshape(m, self.d - 1, n) * self.units
+        self.normal, self.tangents = contacts.normal * self.units, contacts.tangents * self.units
         around = np.arange(_FRICTION_DIRECTIONS if self.d == 3 else 2)
         turn = 2 * np.pi * around / len(around)
         #: Friction forces of length 1.
