@@ -34,7 +34,7 @@ from equilibrium.certificate.document import refuted_certificate, resisted_certi
 from equilibrium.certificate.reading import read_case
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.model.contact import VALUES
-from proofs_check.instances.bodies import textbook_questions
+from proofs_check.instances.grasps import textbook_questions
 from tests.equilibrium.degenerate import question
 from tests.equilibrium.mutations import mutants
 from tests.equilibrium.random_assemblies import random_question

@@ -469,7 +469,6 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/proofs_check/test_sweep_store.py",
         "tests/proofs_check/test_sweep.py",
     ): (
-        "proofs_check.sweep.plan",
         "proofs_check.sweep.report",
         "proofs_check.sweep.store",
     ),

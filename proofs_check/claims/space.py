@@ -25,8 +25,13 @@ from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 from proofs_check.instances import printed
-from proofs_check.instances.bodies import BodiesQuestion, textbook_questions
-from proofs_check.instances.grasps import grasp_case, grasp_of, paper_question
+from proofs_check.instances.grasps import (
+    BodiesQuestion,
+    grasp_case,
+    grasp_of,
+    paper_question,
+    textbook_questions,
+)
 from proofs_check.routes import oracle
 from proofs_check.routes.bodies import resisted
 from proofs_check.routes.leaves import leaf_count

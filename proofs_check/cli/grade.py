@@ -13,9 +13,9 @@ from arrangement.console import terminal
 from arrangement.console.number_form import number
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import InputError
-from proofs_check.course.class_list import ClassList
 from proofs_check.course.exercise import (
     FORMS,
+    ClassList,
     Exercise,
     GradedAnswer,
     grade,

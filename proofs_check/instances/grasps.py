@@ -1,11 +1,18 @@
-"""Grasps to check claims on: those of the paper, and small ones in order of size."""
+"""Grasps to check claims on: those of the paper, and small ones in order of size.
+
+Questions on several bodies, with stability limits known by hand, are in ``bodies.json``. Each has
+its answer; at a limit one holds with equality, and one fails by a billionth.
+"""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache, lru_cache
+from importlib.resources import files
 from itertools import combinations, product
+from typing import Any, NamedTuple
 
 from arrangement.arrangement import Arrangement
 from arrangement.enumeration.paper_steps import published_enumeration
@@ -94,3 +101,38 @@ def smallest_questions(
                 rest: Row = (friction, Fraction(1), Fraction(preload))
                 rows = tuple((*map(Fraction, place), *rest) for place in chosen)
                 yield grasp_case(Question(rows, tuple(map(Fraction, wrench))))
+
+
+class BodiesQuestion(NamedTuple):
+    """One question.
+
+    Attributes:
+        case: what it is about, with how many questions were before it.
+        document: bodies and contacts, as an assembly file has them.
+        wrench: on bodies, by name.
+        resisted: the answer by hand.
+        example: motion and forces of an equilibrium, if there is one.
+    """
+
+    case: str
+    document: dict[str, Any]
+    wrench: dict[str, list[str]]
+    resisted: bool
+    example: dict[str, Any] | None
+
+
+@cache
+def textbook_questions() -> tuple[BodiesQuestion, ...]:
+    """Return the questions, in seven cases."""
+    text = files(__package__).joinpath("bodies.json").read_text(encoding="utf-8")
+    return tuple(
+        BodiesQuestion(
+            f"{case['name']}-{k}",
+            {"bodies": case["bodies"], "contacts": question["contacts"]},
+            question["wrench"],
+            question["resisted"],
+            question.get("example"),
+        )
+        for case in json.loads(text)["cases"]
+        for k, question in enumerate(case["questions"])
+    )

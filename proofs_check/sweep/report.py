@@ -13,8 +13,7 @@ from proofs_check.reports.report import conclusion, instance_text, record_of
 from proofs_check.statements.evidence import strength_from, verdict_from
 from proofs_check.statements.statement import ClaimVerdict, Kind, range_text
 
-from .plan import Plan
-from .store import Store
+from .store import Plan, Store
 from .sweep import EACH, Total, total
 
 

@@ -29,8 +29,7 @@ from proofs_check.reports.report import claim_record, environment, plain
 from proofs_check.statements.evidence import OUTCOMES, check
 from proofs_check.statements.statement import Case, Claim, Domain
 from proofs_check.sweep import store
-from proofs_check.sweep.plan import CHUNK, MOST, Plan
-from proofs_check.sweep.store import Chunk
+from proofs_check.sweep.store import CHUNK, MOST, Chunk, Plan
 
 
 def target(name: str) -> Claim:

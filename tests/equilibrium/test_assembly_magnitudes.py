@@ -26,7 +26,7 @@ from equilibrium.decide.assemblies import magnitudes
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.textbook import TEXTBOOK, stack, wedge
 from equilibrium.model.errors import UndecidedError
-from proofs_check.instances.bodies import textbook_questions
+from proofs_check.instances.grasps import textbook_questions
 from proofs_check.routes.bodies import resisted
 
 from .random_assemblies import random_question

@@ -16,7 +16,7 @@ from hypothesis import example, given, strategies as st
 from proofs_check.cli.program import main
 from proofs_check.errors import DamagedStoreError
 from proofs_check.sweep import store
-from proofs_check.sweep.plan import Plan
+from proofs_check.sweep.store import Plan
 from proofs_check.sweep.sweep import merge, sweep
 
 from .test_sweep import CLAIM, report, small_plan

@@ -21,9 +21,8 @@ from proofs_check.cli.program import EXAMPLES, main
 from proofs_check.instances.arrangements import line_cases
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
 from proofs_check.own_claims.claim_file import load
-from proofs_check.own_claims.formula_of import formula_of
 from proofs_check.own_claims.language import read
-from proofs_check.own_claims.one_line import one_line_claim
+from proofs_check.own_claims.one_line import formula_of, one_line_claim
 from proofs_check.own_claims.shrink import shrink
 
 HEAD = "from proofs_check import claim\n"
