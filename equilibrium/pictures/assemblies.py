@@ -72,6 +72,8 @@ class _AssemblyLayout(PlaneLayout):
             curves = [None] if shape is None else _curves(shape, frame)
             middle = _mean([*body.outline.extremes] if body.outline else own)
             middles[body.name] = middle
+            if isinstance(shape, Segments):
+                middle = _mean([*shape.segments[0]])  # the name stands at a wall
             bodies.append(
                 DrawnBody(
                     curves[0],

@@ -306,7 +306,7 @@ class PlanePicture:
             for end, arm in zip(("", "-back"), layout.arms[i], strict=False):
                 look = {"fc": BLACK, "ec": "none", "gid": f"force-{i + 1}{end}", "zorder": 5.5}
                 labels.avoid(arrow(scene, p, p + self.scale * arm, 1.0, **look))
-            if layout.states:
+            if layout.states and (layout.threads[i] is None or layout.states[i] == "detached"):
                 # Marks of one body's contacts at one place stand one behind the other.
                 again = seen[contact.point] = seen.get(contact.point, -1) + 1
                 place = p - 7.5 * again * n * (len(layout.bodies) == 1)
