@@ -32,8 +32,8 @@ from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Circle, Mesh, Polygon
+from equilibrium.wrench_sets.along_in_space import spatial_magnitudes
 from equilibrium.wrench_sets.line import resisted_magnitudes
-from equilibrium.wrench_sets.spatial import spatial_magnitudes
 
 #: How far the object moves under its usual forces, as a share of its size.
 MOTION = 1e-3

@@ -147,7 +147,7 @@ TARGETS = {
     "uncertain": Target("equilibrium.certificate.uncertain", ROBUST),
     "robust": Target("equilibrium.certificate.robust", ROBUST),
     "plane": Target("equilibrium.model.grasp", (GRASP, PLANES)),
-    "loads": Target("equilibrium.wrench_sets.spatial", LOADS),
+    "loads": Target("equilibrium.wrench_sets.along_in_space", LOADS),
     "known": Target("equilibrium.decide.known_loads", LOADS),
     "final": Target("arrangement.library.census.final_polynomials", FINAL),
     "proofs": Target("tests.census.proofs", FINAL),
@@ -254,7 +254,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ): ("arrangement.planes.equation_text",),
     ("tests/equilibrium/test_wrench_sets_space.py",): (
         "arrangement.numbers.linear.separation",
-        "equilibrium.wrench_sets.space",
+        "equilibrium.wrench_sets.polyhedra",
     ),
     ("tests/arrangement/test_linprog.py",): (
         "arrangement.numbers.linear.programs",
@@ -263,7 +263,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
     ("tests/equilibrium/test_wrench_sets_plane.py",): (
         "equilibrium.wrench_sets.friction",
         "equilibrium.wrench_sets.outline",
-        "equilibrium.wrench_sets.plane",
+        "equilibrium.wrench_sets.slice",
         "equilibrium.wrench_sets.search_map",
     ),
     (

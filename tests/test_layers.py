@@ -303,7 +303,7 @@ OPTIONAL = {
         "equilibrium.core.tresca",
         "equilibrium.pictures.space_grasp",
         "equilibrium.pictures.space_slice",
-        "equilibrium.wrench_sets.spatial",
+        "equilibrium.wrench_sets.along_in_space",
     ),
     "several bodies": ("equilibrium.decide.assemblies", "equilibrium.pictures.assemblies"),
     "contact modes": ("equilibrium.modes",),

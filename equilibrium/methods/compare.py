@@ -15,7 +15,7 @@ from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
-from equilibrium.wrench_sets.plane import FORCES, resisted_region
+from equilibrium.wrench_sets.slice import FORCES, resisted_region
 
 from .grasp_wrench_space import GraspWrenchSpace
 from .registry import DECIDING, DECIDING_ASSEMBLIES, DECIDING_IN_SPACE, METHODS, method_named

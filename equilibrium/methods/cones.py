@@ -25,7 +25,7 @@ from equilibrium.core.contact_rows import Pair, balance_rows, negated, normal_fo
 from equilibrium.methods.method import Accepting, Method, Outcome, cut
 from equilibrium.methods.springs import Forces, force_rows, forces_at
 from equilibrium.model.grasp import Grasp, read_wrench
-from equilibrium.wrench_sets.space import StateImages
+from equilibrium.wrench_sets.polyhedra import StateImages
 
 
 @dataclass(frozen=True)

@@ -56,7 +56,7 @@ from equilibrium.methods.round_cones import round_cones
 from equilibrium.methods.springs import Forces
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets.plane import polygon_cycle
+from equilibrium.wrench_sets.slice import polygon_cycle
 
 Norm = Literal["L1", "Linf"]
 #: In six dimensions the hull of more edges takes seconds and more.

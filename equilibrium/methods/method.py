@@ -12,7 +12,7 @@ from arrangement.numbers.linear.polyhedron import Polyhedron
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.wrench_sets.plane import FORCES, Region, region_of
+from equilibrium.wrench_sets.slice import FORCES, Region, region_of
 
 #: Whether a method accepts (None: it says nothing), and what the answer rests on.
 Outcome: TypeAlias = tuple[bool | None, str]

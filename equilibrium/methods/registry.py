@@ -22,7 +22,7 @@ from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.labels import equilibria_words
-from equilibrium.wrench_sets.plane import resisted_region
+from equilibrium.wrench_sets.slice import resisted_region
 
 
 def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int | None = None) -> Outcome:

@@ -23,8 +23,8 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.plane.states.contact_states import States
 from equilibrium.wrench_sets import Region
-from equilibrium.wrench_sets.plane import resisted_region
 from equilibrium.wrench_sets.search_map import Entry, search_map
+from equilibrium.wrench_sets.slice import resisted_region
 
 from .panel import (
     ROOM,

@@ -22,7 +22,7 @@ from .line import Magnitudes as Magnitudes
 from .loads import CheckedLoads as CheckedLoads
 from .margin import Margin as Margin, Preloads as Preloads
 from .outline import Outline as Outline, Segment as Segment
-from .plane import Region as Region, polygon_cycle as polygon_cycle
+from .polyhedra import Piece as Piece
 from .resisted_set import ResistedSet as ResistedSet
 from .search_map import SearchMap as SearchMap
-from .space import Piece as Piece
+from .slice import Region as Region, polygon_cycle as polygon_cycle

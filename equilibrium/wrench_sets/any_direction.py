@@ -38,7 +38,7 @@ from equilibrium.core.contact_rows import negated, sum_row
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import read_wrench
 from equilibrium.wrench_sets.outline import polygons_near, tight
-from equilibrium.wrench_sets.space import Piece, states_with
+from equilibrium.wrench_sets.polyhedra import Piece, states_with
 
 if TYPE_CHECKING:
     from equilibrium.wrench_sets.resisted_set import ResistedSet

@@ -24,8 +24,8 @@ from .any_direction import root
 from .outline import Segment
 
 if TYPE_CHECKING:
-    from .plane import Region
     from .resisted_set import ResistedSet
+    from .slice import Region
 
 #: How far `BestDirection.beyond` is from `moving` at most, as a share of its size.
 _BEYOND = Fraction(1, 1000)

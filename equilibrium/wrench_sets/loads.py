@@ -21,7 +21,7 @@ from equilibrium.decide.many_grasps.arrays import exact_floats
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
-from .space import Piece
+from .polyhedra import Piece
 
 if TYPE_CHECKING:
     from .resisted_set import ResistedSet

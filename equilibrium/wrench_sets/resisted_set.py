@@ -33,13 +33,13 @@ from .line import (
 )
 from .loads import CheckedLoads, check_loads
 from .margin import Margin, Preloads, chosen_preloads, margin
-from .plane import FORCES, Region, resisted_region
+from .polyhedra import Piece, resisted_pieces
 from .search_map import SearchMap, search_map
-from .space import Piece, resisted_pieces
+from .slice import FORCES, Region, resisted_region
 
 if TYPE_CHECKING:
     from arrangement.drawing.path_artist import Drawing
-    from equilibrium.wrench_sets.spatial import SpatialMagnitudes
+    from equilibrium.wrench_sets.along_in_space import SpatialMagnitudes
 
 
 #: A wrench; of an assembly one for each body.
@@ -222,7 +222,7 @@ class ResistedSet(HintsMixin, JsonMixin):
             return assembly_magnitudes(self._solver, direction, start)
         if self._solver.grasp.dimension == 2:
             return resisted_magnitudes(self._of_grasp(), direction, start)
-        from .spatial import spatial_magnitudes
+        from .along_in_space import spatial_magnitudes
 
         if self.pyramid is not None:
             raise GraspError(

@@ -28,7 +28,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 
-from .plane import FORCES, resisted_region
+from .slice import FORCES, resisted_region
 
 #: Of the largest magnitude and the tolerance: a search halves the one until it is below the other.
 MAX_RATIO = 2**200

@@ -17,6 +17,7 @@ from equilibrium.decide.nearby import DEPENDS
 from equilibrium.model.errors import UndecidedError
 from equilibrium.model.labels import AS_ROUNDED, ROUNDED
 
+from .along_in_space import SpatialMagnitudes
 from .any_direction import SmallestUnresisted, root
 from .best_direction import BestDirection, angle
 from .friction import TOLERANCE, rough_contacts
@@ -24,10 +25,9 @@ from .line import Magnitudes
 from .margin import Margin, Preloads
 from .outline import Segment
 from .parameter import ResistedValues
-from .plane import Region, polygon_cycle
 from .resisted_set import ResistedSet
 from .search_map import SearchMap
-from .spatial import SpatialMagnitudes
+from .slice import Region, polygon_cycle
 from .sufficient_friction import SufficientFriction
 
 if TYPE_CHECKING:

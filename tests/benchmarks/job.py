@@ -338,7 +338,7 @@ def inscribed_types(number: int) -> Work:
 def measured_limits(number: int) -> Work:
     """Ours: limits of grasps in space from float data; microseconds for one direction."""
     sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-    from equilibrium.wrench_sets.spatial import spatial_magnitudes
+    from equilibrium.wrench_sets.along_in_space import spatial_magnitudes
     from tests.equilibrium.converted_grasps import converted, original
 
     asked = []

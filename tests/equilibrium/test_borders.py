@@ -12,7 +12,7 @@ from equilibrium.cli import main
 from equilibrium.decide.known_loads import Border, KnownMagnitudes
 from equilibrium.model.errors import EquilibriumError
 from equilibrium.wrench_sets import friction, search_map
-from equilibrium.wrench_sets.spatial import _closer, spatial_magnitudes
+from equilibrium.wrench_sets.along_in_space import _closer, spatial_magnitudes
 
 NORMALS = [(1, 0, 0), (0, -1, 0), (0, 0, 1), (Fraction(3, 5), Fraction(4, 5), 0)]
 ANSWERS = st.sampled_from(["resisted", "not resisted", "undecided"])

@@ -31,10 +31,10 @@ from equilibrium.model.errors import EquilibriumError
 from equilibrium.pictures.lab.page import DECIDES
 from equilibrium.plane.search.units import unit_of
 from equilibrium.wrench_sets import ResistedSet
+from equilibrium.wrench_sets.along_in_space import spatial_magnitudes
 from equilibrium.wrench_sets.line import resisted_magnitudes
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
-from equilibrium.wrench_sets.space import states_with
-from equilibrium.wrench_sets.spatial import spatial_magnitudes
+from equilibrium.wrench_sets.polyhedra import states_with
 
 from . import oracle
 from .degenerate import question

@@ -31,8 +31,8 @@ from equilibrium.pictures.forces import slices
 from equilibrium.pictures.grasp import GraspLayout
 from equilibrium.pictures.proof import proof_page
 from equilibrium.pictures.style import nice
-from equilibrium.wrench_sets.plane import resisted_region
 from equilibrium.wrench_sets.search_map import search_map
+from equilibrium.wrench_sets.slice import resisted_region
 from tests.drawn import offences
 
 from .strategies import grasps, wrenches

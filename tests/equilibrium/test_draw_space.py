@@ -32,7 +32,7 @@ from equilibrium.pictures.wrench_set import (
     wrench_set_model,
     wrench_set_page,
 )
-from equilibrium.wrench_sets.spatial import SpatialMagnitudes
+from equilibrium.wrench_sets.along_in_space import SpatialMagnitudes
 from tests.drawn import offences
 from tests.instances import PLANAR
 

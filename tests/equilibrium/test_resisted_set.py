@@ -24,13 +24,13 @@ from equilibrium.cli.program import main
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import from_float_data, on_circle
 from equilibrium.model.errors import GraspError, UndecidedError
+from equilibrium.wrench_sets.along_in_space import spatial_magnitudes
 from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.line import resisted_magnitudes
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
-from equilibrium.wrench_sets.plane import resisted_region
+from equilibrium.wrench_sets.polyhedra import resisted_pieces, states_with
 from equilibrium.wrench_sets.search_map import search_map
-from equilibrium.wrench_sets.space import resisted_pieces, states_with
-from equilibrium.wrench_sets.spatial import spatial_magnitudes
+from equilibrium.wrench_sets.slice import resisted_region
 from proofs_check.instances.grasps import grasp_of
 from proofs_check.routes import oracle
 from proofs_check.routes.oracle import Question

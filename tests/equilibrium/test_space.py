@@ -39,8 +39,8 @@ from equilibrium.model.effort import STEPS, Effort
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.rows import ContactRows
 from equilibrium.plane.coplanar import decide_in_plane
-from equilibrium.wrench_sets import spatial
-from equilibrium.wrench_sets.spatial import _bracket, _closer, spatial_magnitudes
+from equilibrium.wrench_sets import along_in_space
+from equilibrium.wrench_sets.along_in_space import _bracket, _closer, spatial_magnitudes
 from tests.schemas import validator
 
 from . import degenerate, rare, sectors
@@ -511,7 +511,7 @@ class TestBrackets:
     def test_boundaries_lie_between_sampled_magnitudes(self, monkeypatch):
         """Resisted up to 1/2 and from 3 to 5; of 64 and beyond nothing is found."""
         tried = []
-        monkeypatch.setattr(spatial, "_closer", lambda known, border, width: border)
+        monkeypatch.setattr(along_in_space, "_closer", lambda known, border, width: border)
 
         def ask(wrench):
             tried.append(wrench[1])

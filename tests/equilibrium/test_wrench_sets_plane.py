@@ -15,8 +15,8 @@ from equilibrium.model.effort import Effort
 from equilibrium.wrench_sets.friction import least_friction
 from equilibrium.wrench_sets.margin import margin, sufficient_preloads
 from equilibrium.wrench_sets.outline import outline_of
-from equilibrium.wrench_sets.plane import FORCES, polygon_cycle, resisted_region, sectors
 from equilibrium.wrench_sets.search_map import binary_search, compare, search_map
+from equilibrium.wrench_sets.slice import FORCES, polygon_cycle, resisted_region, sectors
 
 from .strategies import directions, loads as wrenches, small, wide_grasps as grasps
 

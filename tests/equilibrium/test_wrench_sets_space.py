@@ -20,12 +20,12 @@ from equilibrium.grasps.inputs.documents import read_grasp
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.model.errors import GraspError
 from equilibrium.plane.states.contact_states import contact_states
-from equilibrium.wrench_sets import outline, space
+from equilibrium.wrench_sets import outline, polyhedra
+from equilibrium.wrench_sets.along_in_space import spatial_magnitudes
 from equilibrium.wrench_sets.line import resisted_magnitudes
 from equilibrium.wrench_sets.outline import outline_of
-from equilibrium.wrench_sets.plane import FORCES, resisted_region
-from equilibrium.wrench_sets.space import StateImages, magnitudes_in, states_with
-from equilibrium.wrench_sets.spatial import spatial_magnitudes
+from equilibrium.wrench_sets.polyhedra import StateImages, magnitudes_in, states_with
+from equilibrium.wrench_sets.slice import FORCES, resisted_region
 from proofs_check.examples.gaps import gaps, small_grasps
 
 from .oracle import intervals
@@ -251,7 +251,9 @@ def test_the_quick_tests_leave_little_open():
 def test_the_polyhedra_are_the_same_without_the_quick_test(grasp):
     found = ResistedSet(grasp).polyhedra
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(space, "surely_outside", lambda s: np.zeros((len(s), len(s)), dtype=np.bool_))
+        patch.setattr(
+            polyhedra, "surely_outside", lambda s: np.zeros((len(s), len(s)), dtype=np.bool_)
+        )
         assert ResistedSet(grasp).polyhedra == found
 
 

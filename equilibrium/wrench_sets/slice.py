@@ -29,7 +29,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.plane.states.contact_states import States
 from equilibrium.wrench_sets.outline import Outline, outline_of
-from equilibrium.wrench_sets.space import (
+from equilibrium.wrench_sets.polyhedra import (
     Piece,
     images_of,
     magnitudes_in,
