@@ -7,6 +7,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from arrangement.console.number_form import ReprMixin
@@ -15,7 +16,7 @@ from arrangement.numbers.exact import RationalVector, to_text
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.solution import Solution
+from equilibrium.model.solution import Leaf, Solution
 from equilibrium.model.subject import Subject, by_body, points_of
 
 from .checker import check
@@ -131,7 +132,28 @@ def certificate(
     question["wrench"] = texts(by_body(subject, load))
     question |= displacement_entry(max_displacement)
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}
-    return Certificate(json.dumps(document, separators=(",", ":")))
+    write = partial(_leaf_entry, subject)
+    return Certificate(json.dumps(document, separators=(",", ":"), default=write))
+
+
+def _leaf_entry(subject: Subject, leaf: Leaf) -> Any:
+    """Return the JSON form of a leaf."""
+    motion = texts(by_body(subject, leaf.motion))
+    if isinstance(motion, dict):
+        motion = {name: row for name, row in motion.items() if row != ["0"] * len(row)}
+    elif not (leaf.multipliers or leaf.displacements):
+        return motion
+    is_long = isinstance(subject, Assembly)
+    rows = {
+        str(i): texts(row if is_long or any(row[1:]) else row[:1])
+        for i, row in leaf.multipliers.items()
+    }
+    moved = {str(i): texts(row) for i, row in leaf.displacements.items()}
+    return {
+        "virtual_motion": motion,
+        "multipliers": rows,
+        **({"displacements": moved} if moved else {}),
+    }
 
 
 def texts(values: Any) -> Any:

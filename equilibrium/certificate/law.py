@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from arrangement.numbers.exact import RationalVector, number_text, primitive, quotient
 from arrangement.numbers.linear.rank import rank
@@ -173,7 +173,7 @@ def displacement_problem(
 
 
 def displacement_work(
-    max_displacement: Fraction | None, displacements: Mapping[int, RationalVector]
+    max_displacement: Fraction | None, displacements: Mapping[int, Sequence[Any]]
 ) -> tuple[str, Fraction]:
     """Return what is wrong with the multipliers of a leaf for the largest displacement, and a sum.
 

@@ -50,9 +50,11 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import chain, product
+from operator import mul
 from typing import Any, NamedTuple
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, quotient
+from equilibrium.model.solution import Leaf
 from equilibrium.model.subject import Subject
 
 from .contact_rule import (
@@ -64,7 +66,7 @@ from .contact_rule import (
     within_room,
 )
 from .law import LawRow, applied, displacement_work, rows_of, short
-from .reading import Leaf, Place, TreeForm, form_of
+from .reading import Place, TreeForm, form_of
 
 
 class Generator(NamedTuple):
@@ -211,25 +213,21 @@ class TreeQuestion:
             terms += self._pushes(self.contacts[i], whole(numbers, scale))
         factors: list[tuple[Any, int] | None] = [None] * len(self.contacts)
         none = (0,) * (self.form.tangents + 1)
-        no_rows: Any = [()] * len(self.contacts)
-        all_springs = zip(*(g.springs for g in region), strict=True) if region else no_rows
-        all_slips = zip(*(g.slips for g in region), strict=True) if region else no_rows
-        for i, (contact, springs, slips) in enumerate(
-            zip(self.contacts, all_springs, all_slips, strict=True)
-        ):
+        for i, contact in enumerate(self.contacts):
             state, multipliers = states.get(i, "undecided"), leaf.multipliers.get(i)
+            springs, slips = [g.springs[i] for g in region], [g.slips[i] for g in region]
             is_idle = state == "detached" or (
                 state == "undecided" and bool(springs) and all(e <= 0 for e in springs)
             )
             if is_idle and multipliers is None:
                 continue
-            a, *b = [dot(row, motion) for row in contact.wrenches]
+            a, *b = [sum(map(mul, row, motion)) for row in contact.wrenches]
             alpha, *h = whole(multipliers, scale) if multipliers else none
-            mu, mu_unit = contact.friction.numerator, contact.friction.denominator
-            unit_of_kappa = contact.unit * mu_unit
             if self._round:
                 is_below = within_room(a - alpha * contact.unit, b, contact.friction, state)
             else:
+                mu, mu_unit = contact.friction.numerator, contact.friction.denominator
+                unit_of_kappa = contact.unit * mu_unit
                 kappa = a * mu_unit - mu * greatest_product(b, with_sign(state, slips), self.edges)
                 is_below = alpha * unit_of_kappa <= kappa
                 factors[i] = None if is_idle else (kappa, scale * unit_of_kappa)
@@ -248,7 +246,7 @@ class TreeQuestion:
             elif kappa < 0:
                 concave = [x + kappa * max(0, e) for x, e in zip(concave, springs, strict=True)]
         sizes, rows = zip(*terms, strict=True)
-        total = [dot(sizes, column) for column in zip(*rows, strict=True)]
+        total = [sum(map(mul, sizes, column)) for column in zip(*rows, strict=True)]
         if region:
             total = [x + dot(total, g.vector) for x, g in zip(concave, region, strict=True)]
         return LeafWork("", total, scale * self.unit, factors)
@@ -271,10 +269,10 @@ def _numbers(multipliers: Sequence[Fraction | int], kappa: tuple[Any, int] | Non
 
 
 def _denominator(row: Iterable[Fraction | int]) -> int:
-    return math.lcm(*(x.denominator for x in row))
+    return math.lcm(*[x.denominator for x in row])
 
 
 def whole(row: Sequence[Fraction | int], unit: int = 0) -> IntegerVector:
     """Return a row times a multiple of its denominators, the least one if none is given."""
     unit = unit or _denominator(row)
-    return tuple(x.numerator * (unit // x.denominator) for x in row)
+    return tuple([x.numerator * (unit // x.denominator) for x in row])

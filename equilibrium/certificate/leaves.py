@@ -12,12 +12,13 @@ from typing import Any, NamedTuple
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, vector_text
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.solution import Leaf
 
 from .checker import edges_of
 from .contact_rule import SlipFace, State
 from .law import applied, displacement_work, law_rows, rows_of
 from .leaf_rule import TreeQuestion
-from .reading import Leaf, read_case, read_plane
+from .reading import read_case, read_plane
 from .tree import placed_leaves, slip_faces
 
 

@@ -57,7 +57,7 @@ from equilibrium.model.contact import WRENCH_SIZES, pyramid_edges
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.solution import Enclosure
+from equilibrium.model.solution import Enclosure, Leaf
 from equilibrium.model.subject import LoadCase, Subject
 
 from .robust import check_form
@@ -97,18 +97,6 @@ FORMS = {
     2: TreeForm(WRENCH_SIZES[2], 1, ("orthants", "edge", *STATES)),
     3: TreeForm(WRENCH_SIZES[3], 2, ("attachment", "directions", "faces")),
 }
-
-
-class Leaf(NamedTuple):
-    """A virtual motion, and (alpha, h) of some contacts.
-
-    Attributes:
-        displacements: numbers for the normal and the tangents of some contacts.
-    """
-
-    motion: RationalVector
-    multipliers: Mapping[int, RationalVector]
-    displacements: Mapping[int, RationalVector] = {}
 
 
 class Split(NamedTuple):
@@ -304,9 +292,13 @@ def read_plane(tree: Any) -> Plane | None:
 def read_node(content: Any, path: str, contacts: int, form: TreeForm) -> Leaf | Split:
     """Return a node of a tree; what its children are is not looked at.
 
+    Inside one process a leaf may come as it is, in numbers; files have texts.
+
     Raises:
         InputError: this is not a node for this many contacts; the message has the path.
     """
+    if isinstance(content, Leaf):
+        return content
     if isinstance(content, (list, tuple)) and form.bodies is None:
         return Leaf(_rationals(content, form.size, path, form.read), {})
     kinds = ("virtual_motion", *form.splits)

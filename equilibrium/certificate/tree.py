@@ -13,11 +13,12 @@ from typing import Any
 
 from arrangement.numbers.exact import RationalVector
 from equilibrium.model.errors import CertificateError
+from equilibrium.model.solution import Leaf
 
 from .contact_rule import SlipFace, State, state_text, turn
 from .law import outward
 from .leaf_rule import Generator, TreeQuestion, whole
-from .reading import STATES, Leaf, Place, Split, read_node
+from .reading import STATES, Place, Split, read_node
 
 #: Splits in a row; readers of JSON stop at some 1000 objects inside one another.
 MAX_DEPTH = 300

@@ -17,14 +17,14 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.numbers.exact import RationalVector, dot, to_text
+from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.float_filter import Floats
 from equilibrium.core.contact_law import ContactState, LinearQuestion, Side, State
 from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contacts import FloatContacts
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.effort import Effort
-from equilibrium.model.solution import Solution
+from equilibrium.model.solution import Leaf, Solution
 
 from .cones import Node, Pyramids, Slip, State as TreeState
 from .states import States, rational_direction
@@ -66,7 +66,7 @@ class ExactParts:
         self.question = LinearQuestion(rows, wrench, max_displacement=max_displacement)
         self.base = pyramid_edges(_FIRST_SIDES)
 
-    def part(self, states: Sequence[TreeState], towards: Floats) -> Solution | dict[str, Any]:
+    def part(self, states: Sequence[TreeState], towards: Floats) -> Solution | Leaf:
         """Return a leaf, or a point that obeys the relaxed law, or nearly.
 
         Args:
@@ -109,23 +109,19 @@ class ExactParts:
         found = self._solve(decided)
         return found if isinstance(found, Solution) else None
 
-    def _solve(self, states: Sequence[State]) -> Solution | dict[str, Any]:
+    def _solve(self, states: Sequence[State]) -> Solution | Leaf:
         """Return the motion and all forces of a program, or the leaf that shows there are none."""
         m = len(states)
         self.effort.check(_ROW_STEPS * m * (self.rows.n + (1 + self.rows.tangents) * m))
         program = ContactProgram(self.question, tuple(states), self.effort)
-        return program.solution() or self._document(program.leaf())
+        return program.solution() or self._leaf(program.leaf())
 
     @staticmethod
-    def _document(leaf: Any) -> dict[str, Any]:
-        """Return the form of a leaf in certificates, without contacts that have no multipliers."""
+    def _leaf(leaf: Any) -> Leaf:
+        """Return a leaf without contacts that have no multipliers."""
         moved = {i: row for i, row in leaf.displacements.items() if any(row)}
         rows = {i: row for i, row in leaf.multipliers.items() if any(row) or i in moved}
-        texts = (
-            {str(i): list(map(to_text, x)) for i, x in every.items()} for every in (rows, moved)
-        )
-        document = {"virtual_motion": list(map(to_text, leaf.motion)), "multipliers": next(texts)}
-        return {**document, "displacements": next(texts)} if moved else document
+        return Leaf(leaf.motion, rows, moved)
 
 
 class PyramidParts(ExactParts):
@@ -142,7 +138,7 @@ class PyramidParts(ExactParts):
         super().__init__(contacts, wrench, effort, max_displacement)
         self.cones = cones
 
-    def part(self, states: Sequence[TreeState], towards: Floats) -> Solution | dict[str, Any]:
+    def part(self, states: Sequence[TreeState], towards: Floats) -> Solution | Leaf:
         """Return a leaf, or a point that obeys the relaxed law."""
         pairs = zip(self.rows, states, strict=True)
         return self._solve([self._state(contact.friction, state) for contact, state in pairs])

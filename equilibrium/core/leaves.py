@@ -1,7 +1,8 @@
 """Leaves of a tree in space: a dual ray in floats, made exact and tested.
 
 The virtual motion and the multipliers are rounded to integers; a few multipliers, those with most
-room, are then solved for, so that what depends on the motion cancels exactly.
+room, are then solved for, so that what depends on the motion cancels exactly. The conditions of a
+contact are tested in floats with a bound on errors, exactly only where they are within it.
 """
 
 from __future__ import annotations
@@ -9,20 +10,25 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import chain
+from operator import mul
 from typing import Any, NamedTuple
 
 import numpy as np
+from flint import fmpz_mat
 
-from arrangement.numbers.exact import IntegerVector, RationalVector, dot, to_text
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot
+from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.core.contacts import FloatContacts, nearest
+from equilibrium.model.solution import Leaf
 
 from .cones import Cones, Node, State
 from .relaxation import Ray
 
 #: Numbers are rounded to multiples of one over the first, multipliers below the second left out.
 _ROUNDINGS = ((2**10, 1e-6), (2**20, 1e-6), (2**34, 1e-9), (2**48, 1e-12))
+#: Relative error of sums in floats, with room.
+SUM_ERROR = 1e-12
 #: As many multipliers as a motion has numbers, those with most room, and this many more, mostly
 #: do for what has to cancel.
 _MORE_MULTIPLIERS = 3
@@ -33,32 +39,39 @@ class _WholeContact(NamedTuple):
 
     Attributes:
         columns: what alpha, h and the numbers of displacements add to what depends on the motion,
-            times a number for all.
+            each times a number of its own.
+        factors: what makes these numbers one for all contacts.
         preload: times a number for all.
     """
 
     frame: tuple[IntegerVector, ...]
     unit: int
     columns: tuple[IntegerVector, ...]
+    factors: tuple[int, ...]
     preload: int
     friction: Fraction
     at: tuple[int, ...]
     short: tuple[IntegerVector, ...]
 
 
-class _Numbers(NamedTuple):
-    """The coprime integers of a leaf: alpha and h, and those of displacements."""
+class FloatLeaf(NamedTuple):
+    """A leaf in floats, in the unit of its motion, whose largest number is about 1.
 
-    motion: Sequence[int]
-    given: dict[int, list[int]]
-    pins: dict[int, list[int]]
+    Attributes:
+        motion: (n,); work: of all but the load.
+        room: (m,), a less alpha; rub: friction times the most that b does in any direction.
+        error: (m,), a bound on errors of room and rub together.
+        alpha: (m,); h, slip: (m, tangents), multipliers and b.
+    """
 
-
-class ExactLeaf(NamedTuple):
-    """A leaf in its form of certificates, and its integers."""
-
-    node: Any
-    numbers: _Numbers
+    motion: Floats
+    work: float
+    room: Floats
+    rub: Floats
+    error: Floats
+    alpha: Floats
+    h: Floats
+    slip: Floats
 
 
 class Leaves:
@@ -81,7 +94,7 @@ class Leaves:
         self.contacts, self.cones = contacts, cones
         self.floats = np.array([nearest(x) for x in wrench])
         self.size = 1 + contacts.rows.tangents
-        self.found: dict[Node, ExactLeaf] = {}
+        self.found: dict[Node, Leaf] = {}
         self.ends: dict[Node, tuple[int, int]] = {}
         rows = contacts.rows
         bound = max_displacement or Fraction(0)
@@ -91,21 +104,27 @@ class Leaves:
         frames = [(c.normal_wrench, *c.tangential_wrenches) for c in rows]
         units = [math.lcm(*(x.denominator for row in frame for x in row)) for frame in frames]
         pairs = list(zip(rows, units, strict=True))
-        self.motions = math.lcm(*(c.stiffness.denominator * unit for c, unit in pairs))
+        motions = math.lcm(*(c.stiffness.denominator * unit for c, unit in pairs))
         self.each = []
         for (c, own), frame in zip(pairs, frames, strict=True):
             whole = tuple(integers_over(row, own) for row in frame)
-            more = [self.motions // own] * (2 * self.size - 1)
-            factors = int(-c.stiffness * (self.motions // own)), *more
-            columns = [
-                tuple(factor * x for x in row)
-                for factor, row in zip(factors, (*whole, *whole), strict=True)
-            ]
+            spring = tuple(-c.stiffness.numerator * x for x in whole[0])
+            more = [motions // own] * (2 * self.size - 1)
+            factors = motions // (own * c.stiffness.denominator), *more
             preload = int(c.preload * unit)
             at = tuple(j for j in range(len(whole[0])) if any(row[j] for row in whole))
             short = tuple(tuple(row[j] for j in at) for row in whole)
             self.each.append(
-                _WholeContact(whole, own, tuple(columns), preload, c.friction, at, short)
+                _WholeContact(
+                    whole,
+                    own,
+                    (spring, *whole[1:], *whole),
+                    factors,
+                    preload,
+                    c.friction,
+                    at,
+                    short,
+                )
             )
         # Turns are multiples of one over the length: the unit of length makes no difference.
         arm = 2.0 ** round(math.log2(contacts.length))
@@ -113,8 +132,13 @@ class Leaves:
         self._steps = [int(x) for x in contacts.arms(max(1.0, 1 / arm), max(1.0, arm)).tolist()]
         self._sizes = contacts.arms(contacts.length)
         self._frames = np.concatenate([contacts.tangents, contacts.normal[:, None]], axis=1)
+        self._frame_sizes = np.abs(self._frames)
+        self._frictions = contacts.friction.tolist()
+        # Bounds hold where nothing overflows or underflows on the way.
+        self._error = SUM_ERROR if contacts.moderate else math.inf
+        self._last: tuple[Leaf, FloatLeaf] | None = None
 
-    def leaf(self, states: Node, ray: Ray) -> Any | None:
+    def leaf(self, states: Node, ray: Ray) -> Leaf | None:
         """Return a leaf near a dual ray, or None where rounding finds none."""
         largest = float(np.abs(ray.virtual * self._arms).max())
         if not 0 < largest < math.inf or not np.isfinite(ray.multipliers).all():
@@ -127,23 +151,29 @@ class Leaves:
                 places = np.argwhere(kept)[order].tolist()
                 listed = ray.multipliers[kept][order].tolist()
                 columns = [self.each[i].columns[j] for i, j in places]
+                factors = [self.each[i].factors[j] for i, j in places]
                 pinned = self._pinned(states, ray, kept, nothing)
             unit = fine / largest * self._unit
-            motion = _rounded(pinned, [x * unit for x in ray.virtual.tolist()], self._steps)
-            values, scale = cancelled(columns, [round(x * unit) for x in listed], len(motion))
-            given: dict[int, list[int]] = {}
-            pins: dict[int, list[int]] = {}
-            for (i, j), value in zip(places, values, strict=True):
-                (given if j < size else pins).setdefault(i, [0] * size)[j % size] = value
-            own, common = _common(motion)
-            rows = [*given.values(), *pins.values()]
-            shared = math.gcd(*(scale * x for x in own), *(common * x for x in chain(*rows)))
-            for row in rows:
-                row[:] = [common * x // shared for x in row]
-            found = _Numbers([scale * x // shared for x in own], given, pins)
-            if self._holds(states, found):
-                self.found[states] = ExactLeaf(_node(found), found)
-                return self.found[states].node
+            rounded = _rounded(pinned, [x * unit for x in ray.virtual.tolist()], self._steps)
+            motion, common = _common(rounded)
+            given: list[Any] = [common * round(x * unit) for x in listed]
+            weighed = [x * factor for x, factor in zip(given, factors, strict=True)]
+            values, scale = cancelled(columns, weighed, len(motion))
+            numbers = [
+                Fraction(values[k], scale * factors[k]) if values[k] != scale * weighed[k] else x
+                for k, x in enumerate(given)
+            ]
+            shared = math.gcd(*motion, *[x.numerator for x in numbers])
+            if shared > 1:
+                motion = [x // shared for x in motion]
+                numbers = [Fraction(x) / shared for x in numbers]
+            multipliers: dict[int, list[Any]] = {}
+            pins: dict[int, list[Any]] = {}
+            for (i, j), number in zip(places, numbers, strict=True):
+                (multipliers if j < size else pins).setdefault(i, [0] * size)[j % size] = number
+            found = Leaf(tuple(motion), multipliers, pins)
+            if self.holds(states, found):
+                return found
         return None
 
     def _pinned(
@@ -153,6 +183,8 @@ class Leaves:
 
         The conditions of such a contact have no room, as of one on an axis of a rotation.
         """
+        if kept[:, 0].all():
+            return []
         limit = max(nothing, 1e-9) * float(np.abs(ray.virtual * self._sizes).max())
         moved = np.abs(self._frames @ ray.virtual)
         still = (moved.max(axis=1) <= limit) & ~kept[:, 0]
@@ -163,45 +195,84 @@ class Leaves:
             for row in self.each[i].frame
         ]
 
-    def refutes(self, leaf: ExactLeaf) -> bool:
+    def refutes(self, leaf: Leaf) -> bool:
         """Return whether a leaf of another load on the grasp refutes this one, in its states."""
-        return bool(self._work(leaf.numbers) > 0)
+        work = dot(self.load, leaf.motion)
+        work -= self.bound * sum(abs(x) for row in leaf.displacements.values() for x in row)
+        pairs = ((row[0], self.each[i].preload) for i, row in leaf.multipliers.items())
+        return bool(work + sum(alpha * preload for alpha, preload in pairs if preload) > 0)
 
-    def _work(self, leaf: _Numbers) -> Any:
-        """Return the least work on the virtual motion of the load and all that contacts may do."""
-        return dot(self.load, leaf.motion) + self.rest(leaf)
-
-    def rest(self, leaf: _Numbers) -> Any:
-        """Return the least work of all but the load."""
-        work: Any = -self.bound * sum(abs(x) for row in leaf.pins.values() for x in row)
-        return work + sum(row[0] * self.each[i].preload for i, row in leaf.given.items())
-
-    def holds(self, states: Node, leaf: ExactLeaf) -> bool:
-        """Return whether a leaf closes other states, too; it is theirs then."""
-        held = self._holds(states, leaf.numbers)
+    def holds(self, states: Node, leaf: Leaf) -> bool:
+        """Return whether a leaf whose linear terms cancel closes states; it is theirs then."""
+        held = self.refutes(leaf) and self._holds(states, leaf)
         if held:
             self.found[states] = leaf
         return held
 
-    def _holds(self, states: Sequence[State], leaf: _Numbers) -> bool:
-        """Return whether a leaf whose linear terms cancel shows what it has to."""
-        if self._work(leaf) <= 0:
-            return False
-        for i, (contact, state) in enumerate(zip(self.each, states, strict=True)):
-            alpha, *h = leaf.given.get(i, [0] * self.size)
-            if alpha < 0 and state in ("undecided", "detached"):
+    def _holds(self, states: Sequence[State], leaf: Leaf) -> bool:
+        about, none, cones = self.in_floats(leaf), [0] * self.size, self.cones
+        room, rub, slip = about.room.tolist(), about.rub.tolist(), about.slip.tolist()
+        for i, (state, error) in enumerate(zip(states, about.error.tolist(), strict=True)):
+            alpha, *h = leaf.multipliers.get(i, none)
+            if alpha.numerator < 0 and state in ("undecided", "detached"):
                 return False
-            ends = self.cones.ends(state)
-            if any(dot(h, end) > 0 for end in ends) or (any(h) and not ends and state != "stick"):
+            ends = cones.ends(state)
+            if any(h) and state != "stick" and (not ends or any(dot(h, end) > 0 for end in ends)):
                 return False
             if state == "detached":
                 continue
-            moved = [leaf.motion[j] for j in contact.at]
-            a, *b = (dot(row, moved) for row in contact.short)
-            room = a - alpha * contact.unit
-            if not self.cones.below(room, contact.friction, b, state):
+            most = self._frictions[i] * cones.largest(state, slip[i]) if ends else rub[i]
+            # What is not finite is not sure.
+            if room[i] - most > error:
+                continue
+            if room[i] - most < -error or not self._is_below(i, state, leaf):
                 return False
         return True
+
+    def _is_below(self, i: int, state: State, leaf: Leaf) -> bool:
+        """Return, exactly, whether alpha is at most what a contact does on the virtual motion."""
+        contact, alpha = self.each[i], Fraction(leaf.multipliers.get(i, (0,))[0])
+        moved = [leaf.motion[j] * alpha.denominator for j in contact.at]
+        a, *b = (dot(row, moved) for row in contact.short)
+        room = a - alpha.numerator * contact.unit
+        return self.cones.below(room, contact.friction, b, state)
+
+    def in_floats(self, leaf: Leaf) -> FloatLeaf:
+        """Return a leaf in floats."""
+        if self._last is None or self._last[0] is not leaf:
+            self._last = leaf, self._in_floats(leaf)
+        return self._last[1]
+
+    def _in_floats(self, leaf: Leaf) -> FloatLeaf:
+        unit = 1 << max(abs(x) for x in leaf.motion).bit_length()
+        c, motion = self.contacts, np.array([x / unit for x in leaf.motion])
+        rows = np.zeros((len(self.each), self.size))
+        work = -ratio(self.bound, self.unit) * sum(
+            abs(ratio(x, unit)) for row in leaf.displacements.values() for x in row
+        )
+        for i, row in leaf.multipliers.items():
+            rows[i] = [ratio(x, unit) if x else 0.0 for x in row]
+        alpha, moved = rows[:, 0], self._frames @ motion
+        sizes, slip = self._frame_sizes @ np.abs(motion), moved[:, :-1]
+        rubs = c.friction * sizes[:, :-1].sum(axis=1)
+        return FloatLeaf(
+            motion,
+            work + float(alpha @ c.preload),
+            moved[:, -1] - alpha,
+            c.friction * self.cones.support(slip),
+            self._error * (sizes[:, -1] + np.abs(alpha) + rubs),
+            alpha,
+            rows[:, 1:],
+            slip,
+        )
+
+
+def ratio(x: Any, unit: int) -> float:
+    """Return the float nearest to an exact number over another, cut off where it is too large."""
+    try:
+        return float(x.numerator / (x.denominator * unit))
+    except OverflowError:
+        return nearest(Fraction(x) / unit)
 
 
 def integers_over(row: Sequence[Fraction], unit: int) -> IntegerVector:
@@ -222,16 +293,23 @@ def cancelled(columns: Sequence[IntegerVector], values: list[int], n: int) -> tu
     """
     whole = list(zip(*columns, strict=True)) or [()] * n
     for count in (n, n + _MORE_MULTIPLIERS, len(columns)):
-        rows = [(*row[:count], dot(row[count:], values[count:])) for row in whole]
-        reduced, pivots, scale = gauss_jordan(rows)
-        if len(rows[0]) - 1 in pivots:
+        others = values[count:]
+        rows = [[*row[:count], sum(map(mul, row[count:], others))] for row in whole]
+        # The rows are integers, so none is scaled first, which would take most of the time.
+        reduced, scale, rank = fmpz_mat(rows).rref()
+        end, pivots = len(rows[0]) - 1, list[int]()
+        for k in range(rank):
+            first = pivots[-1] + 1 if pivots else 0
+            pivots.append(next(j for j in range(first, end + 1) if reduced[k, j] != 0))
+        if end in pivots:
             continue
-        sign = 1 if scale > 0 else -1
-        found = [abs(scale) * value for value in values]
-        free = [k for k in range(len(rows[0]) - 1) if k not in pivots]
-        for row, pivot in zip(reduced, pivots, strict=False):
-            found[pivot] = -sign * (row[-1] + sum(row[k] * values[k] for k in free))
-        return found, abs(scale)
+        size, sign = abs(int(scale)), 1 if scale > 0 else -1
+        found = [size * value for value in values]
+        free = [j for j in range(end) if j not in pivots]
+        for k, pivot in enumerate(pivots):
+            moved = reduced[k, end] + sum(reduced[k, j] * values[j] for j in free)
+            found[pivot] = -sign * int(moved)
+        return found, size
     raise AssertionError("nothing is left over where all columns are in use")
 
 
@@ -250,19 +328,4 @@ def _rounded(
     for row, pivot in zip(reduced, pivots, strict=False):
         others = sum(row[k] * found[order[k]] for k in range(len(motion)) if k not in pivots)
         found[order[pivot]] = Fraction(-others) / scale
-    return found
-
-
-def _node(leaf: _Numbers) -> Any:
-    """Return the form of a leaf."""
-    motion, given, pins = leaf
-    moved = list(map(to_text, motion))
-    if not (given or pins):
-        return moved
-    rows = {
-        str(i): list(map(to_text, row if any(row[1:]) else row[:1])) for i, row in given.items()
-    }
-    found: dict[str, Any] = {"virtual_motion": moved, "multipliers": rows}
-    if pins:
-        found["displacements"] = {str(i): list(map(to_text, row)) for i, row in pins.items()}
     return found

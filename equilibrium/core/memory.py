@@ -9,7 +9,6 @@ needs no program.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 from itertools import islice
 from typing import Any
 
@@ -17,10 +16,10 @@ import numpy as np
 
 from arrangement.numbers.exact import dot
 from arrangement.numbers.float_filter import Floats
-from equilibrium.core.contacts import nearest
+from equilibrium.model.solution import Leaf
 
 from .cones import Node, OpenSplit
-from .leaves import ExactLeaf, Leaves
+from .leaves import Leaves
 
 #: Leaves that are kept by their states, and for parts that none was found in.
 _MAX_LEAVES = 20_000
@@ -36,8 +35,6 @@ _MAX_PROPOSED_LEAVES = 3
 _MAX_OTHER_EQUILIBRIA = 999
 #: States without directions.
 _PLAIN_STATES = ("undecided", "detached", "attached", "stick")
-#: Relative error of sums in floats, with room.
-_SUM_ERROR = 1e-12
 #: A split is followed where open leaves are at most those that refute the load, over this.
 _CLOSED_PER_OPEN = 2
 #: A search ends when this many parts stay open.
@@ -74,10 +71,10 @@ class _Known:
     """Leaves in floats, which show at once those that may close a part."""
 
     def __init__(self, leaves: Leaves) -> None:
-        self._contacts, self._cones = leaves.contacts, leaves.cones
+        self._cones = leaves.cones
         rows = leaves.contacts.rows
-        m = self._m = len(rows)
-        self.leaves: list[ExactLeaf] = []
+        m = len(rows)
+        self.leaves: list[Leaf] = []
         #: The works of a load are ``motion . w + rest``.
         self._motion, self._rest = np.empty((_FIRST_ROOM, rows.n)), np.empty(_FIRST_ROOM)
         #: Of each contact ``a - alpha``, its error, ``b`` and h, as leaves have them.
@@ -88,30 +85,20 @@ class _Known:
         #: For each state of `_PLAIN_STATES` and contact, whether it holds there.
         self._holds = np.empty((len(_PLAIN_STATES), m, _FIRST_ROOM), np.bool_)
 
-    def add(self, leaf: ExactLeaf, leaves: Leaves) -> None:
+    def add(self, leaf: Leaf, leaves: Leaves) -> None:
         """Add one."""
-        n, c, m = len(self.leaves), self._contacts, self._m
+        n, about = len(self.leaves), leaves.in_floats(leaf)
         if n == len(self._rest):
             for name in ("_motion", "_rest"):
                 old = getattr(self, name)
                 setattr(self, name, np.concatenate([old, old]))
             self._holds = np.concatenate([self._holds, self._holds], axis=2)
-        motion, given, _ = leaf.numbers
-        unit = 1 << max(abs(x) for x in motion).bit_length()
         self.leaves.append(leaf)
-        self._motion[n] = [x / unit for x in motion]
-        self._rest[n] = _ratio(leaves.rest(leaf.numbers), leaves.unit * unit)
-        rows = np.zeros((m, 1 + c.rows.tangents))
-        for i, row in given.items():
-            rows[i] = [_ratio(x, unit) for x in row]
-        taken = rows[:, 0]
-        a, b = c.normal @ self._motion[n], c.tangents @ self._motion[n]
-        rub = c.friction * self._cones.support(b)
-        size = _SUM_ERROR * (np.abs(a) + np.abs(taken) + np.abs(rub))
-        numbers = a - taken, size, b, rows[:, 1:]
+        self._motion[n], self._rest[n] = about.motion, about.work
+        numbers = about.room, about.error, about.slip, about.h
         self._slips.append(list(zip(*(x.tolist() for x in numbers), strict=True)))
-        inside, least = a - taken - rub >= -size, taken >= 0
-        moved = ~rows[:, 1:].any(axis=1)
+        inside, least = about.room - about.rub >= -about.error, about.alpha >= 0
+        moved = ~about.h.any(axis=1)
         self._holds[:, :, n] = (
             inside & least & moved,
             least & moved,
@@ -119,7 +106,7 @@ class _Known:
             inside,
         )
 
-    def closing(self, states: Node, load: Floats) -> Iterator[ExactLeaf]:
+    def closing(self, states: Node, load: Floats) -> Iterator[Leaf]:
         """Yield leaves that may close a part, for a load."""
         n = len(self.leaves)
         plain = [(_PLAIN_STATES.index(s), i) for i, s in enumerate(states) if s in _PLAIN_STATES]
@@ -147,20 +134,12 @@ class _Known:
         return found
 
 
-def _ratio(x: int, y: int) -> float:
-    """Return the float nearest to a quotient, infinity for one that is too large."""
-    try:
-        return x / y
-    except OverflowError:
-        return nearest(Fraction(x, y))
-
-
 class Memory:
     """Splits and leaves of trees that were closed, by the states of their nodes."""
 
     def __init__(self) -> None:
         self._splits: dict[Node, OpenSplit] = {}
-        self._leaves: dict[Node, ExactLeaf] = {}
+        self._leaves: dict[Node, Leaf] = {}
         self._known: _Known | None = None
         #: Loads and motions of equilibria, in floats.
         self._held: list[tuple[Floats, Floats]] = []
@@ -175,7 +154,7 @@ class Memory:
         least = min(far, default=size)
         return self._held[far.index(least)][1] if least < size else None
 
-    def add(self, leaf: ExactLeaf, leaves: Leaves) -> None:
+    def add(self, leaf: Leaf, leaves: Leaves) -> None:
         """Remember a leaf, of a tree that may stay open."""
         known = self._known
         if known is None or len(known.leaves) >= min(
@@ -184,7 +163,7 @@ class Memory:
             known = self._known = _Known(leaves)
         known.add(leaf, leaves)
 
-    def keep(self, splits: dict[Node, OpenSplit], leaves: dict[Node, ExactLeaf]) -> None:
+    def keep(self, splits: dict[Node, OpenSplit], leaves: dict[Node, Leaf]) -> None:
         """Remember a tree."""
         if len(self._leaves) + len(leaves) > _MAX_LEAVES:
             self._splits, self._leaves = {}, {}
@@ -195,10 +174,10 @@ class Memory:
         """Return a leaf that closes a node, else a split that promises to."""
         leaf = self._leaves.get(states)
         if leaf is not None and leaves.refutes(leaf):
-            return leaf.node
+            return leaf
         for leaf in self._known.closing(states, leaves.floats) if self._known else ():
             if leaves.holds(states, leaf):
-                return leaf.node
+                return leaf
         return self.split(states) if self.promises(states, leaves) else None
 
     def split(self, states: Node) -> OpenSplit | None:

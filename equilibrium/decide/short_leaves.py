@@ -14,10 +14,10 @@ from typing import Any
 
 from arrangement.numbers.exact import RationalVector, primitive, to_text
 from equilibrium.certificate.leaf_rule import TreeQuestion
-from equilibrium.certificate.reading import STATES, Leaf, Place
+from equilibrium.certificate.reading import STATES, Place
 from equilibrium.certificate.tree import placed_leaves
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.solution import Tree
+from equilibrium.model.solution import Leaf, Tree
 
 #: Longer numbers are rounded, to these shares of the largest one of a leaf.
 _LONG = re.compile("[0-9]{13}")
@@ -57,7 +57,7 @@ def _shorter(leaf: Leaf, place: Place, question: TreeQuestion) -> Any:
             # Rounding must not lift alpha above what the contact does.
             pair = factors[i]
             given[i] = [alpha if pair is None else min(alpha, int(pair[0] // pair[1])), *h]
-        for short in (alone, alone._replace(multipliers={i: _whole(x) for i, x in given.items()})):
+        for short in (alone, Leaf(alone.motion, {i: _whole(x) for i, x in given.items()})):
             if any(motion) and not question.leaf_problem(short, place):
                 return _form(short)
     return None

@@ -55,7 +55,7 @@ class ClosureSearch:
                 ray = self._relaxation.inner_ray(self._states, room)
                 leaf = ray and self._leaves.leaf(self._states, ray)
             if leaf:
-                return tuple(map(Fraction, self._leaves.found[self._states].numbers.motion))
+                return tuple(map(Fraction, leaf.motion))
         return None
 
     def boundary_motion(self) -> RationalVector | None:
@@ -66,9 +66,7 @@ class ClosureSearch:
             return None
         exact = ExactParts(self._contacts, self._load, Effort())
         found = exact.part(self._states, -(self._contacts.tangents @ ray.virtual))
-        return (
-            None if isinstance(found, Solution) else tuple(map(Fraction, found["virtual_motion"]))
-        )
+        return None if isinstance(found, Solution) else found.motion
 
     def forces(self) -> Iterator[tuple[RationalVector, ...]]:
         """Yield balanced forces near those of the load and the pushes, from coarse to fine."""

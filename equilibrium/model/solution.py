@@ -5,7 +5,7 @@ Forces are those of points; `PadForce` is that of a pad.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, NamedTuple, TypeAlias
@@ -176,7 +176,22 @@ class Refutation:
     reason: str = ""
 
 
-#: The tree of virtual motions that refutes all, in the form of certificates.
-Tree: TypeAlias = dict[str, Any] | list[Any]
+@dataclass(frozen=True)
+class Leaf:
+    """A virtual motion, and (alpha, h) of some contacts, see `equilibrium.certificate.leaf_rule`.
+
+    All numbers are exact.
+
+    Attributes:
+        displacements: numbers for the normal and the tangents of some contacts.
+    """
+
+    motion: tuple[Any, ...]
+    multipliers: Mapping[int, Sequence[Any]]
+    displacements: Mapping[int, Sequence[Any]] = field(default_factory=dict)
+
+
+#: The tree of virtual motions that refutes all, in the form of certificates or with such leaves.
+Tree: TypeAlias = dict[str, Any] | list[Any] | Leaf
 #: An equilibrium, the proof that there is none, or neither.
 Outcome: TypeAlias = Solution | Tree | Open

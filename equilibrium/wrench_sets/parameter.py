@@ -33,7 +33,7 @@ from equilibrium.certificate.parameter import (
     parameter_problem,
     question_entry,
 )
-from equilibrium.certificate.reading import SCHEMA_VERSION, STATES, Leaf, Place
+from equilibrium.certificate.reading import SCHEMA_VERSION, STATES, Place
 from equilibrium.certificate.tree import placed_leaves
 from equilibrium.core.contact_law import ContactState, LinearQuestion, State
 from equilibrium.core.contact_program import ContactProgram
@@ -44,6 +44,7 @@ from equilibrium.grasps.inputs.parameter import read_parametric
 from equilibrium.model.errors import GraspError
 from equilibrium.model.parameter import ParametricQuestion
 from equilibrium.model.rows import ContactRow, ContactRows
+from equilibrium.model.solution import Leaf
 from equilibrium.plane.search.motion_regions import HALF_SPACE
 from equilibrium.plane.search.region_states import StateSplits, TooManyParts
 

@@ -119,7 +119,7 @@ class TestKnownLeaves:
     def test_leaf_uses_no_slip_of_sticking_contact(self):
         search, tried = self.searched(), 0
         for states, leaf in search.leaves.found.copy().items():
-            for i, row in leaf.numbers.given.items():
+            for i, row in leaf.multipliers.items():
                 if any(row[1:]):
                     whole = (*states[:i], "attached", *states[i + 1 :])
                     assert not search.leaves.holds(whole, leaf)
@@ -186,7 +186,7 @@ def test_exact_program_of_bounded_displacements_has_a_proof():
     grasp, load, bound = Grasp(contacts), (Fraction(0),) * 6, Fraction(1, 100)
     floats = FloatContacts(ContactRows.of_grasp(grasp))
     leaf = ExactParts(floats, load, Effort(), bound).part(["undecided"] * 2, np.zeros((2, 2)))
-    assert leaf["multipliers"].keys() == leaf["displacements"].keys()
+    assert leaf.multipliers.keys() == leaf.displacements.keys()
     assert check(refuted_certificate(grasp, load, leaf, None, bound).to_dict())
 
 

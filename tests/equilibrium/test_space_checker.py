@@ -12,6 +12,7 @@ import sympy
 from arrangement import InputError
 from arrangement.numbers.exact import dot
 from equilibrium import CertificateError, Grasp
+from equilibrium.certificate.checker import proof_report
 from equilibrium.certificate.contact_rule import broken_multipliers, within_room
 from equilibrium.certificate.document import resisted_certificate
 from equilibrium.certificate.enclosure import (
@@ -24,10 +25,12 @@ from equilibrium.certificate.enclosure import (
 )
 from equilibrium.certificate.law import law_rows
 from equilibrium.certificate.leaf_rule import TreeQuestion
-from equilibrium.certificate.reading import FORMS, Leaf, Place, Split, read_enclosure, read_node
+from equilibrium.certificate.reading import FORMS, Place, Split, read_enclosure, read_node
 from equilibrium.certificate.tree import slip_states
+from equilibrium.decide.solver import solve
+from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.contact import Contact, pyramid_edges
-from equilibrium.model.solution import Enclosure, Solution
+from equilibrium.model.solution import Enclosure, Leaf, Solution
 
 F = Fraction
 ENDS = [
@@ -349,7 +352,7 @@ def test_displacements_have_a_number_for_each_direction(dimension, motion):
 
     slips = (0,) * (dimension - 1)
     found = read_node(leaf(dimension), "tree", 2, FORMS[dimension])
-    assert found == ((0,) * motion, {0: (3, *slips)}, {1: (HALF,) * dimension})
+    assert found == Leaf((0,) * motion, {0: (3, *slips)}, {1: (HALF,) * dimension})
     for wrong in (dimension - 1, dimension + 1):
         with pytest.raises(InputError, match=f"has {wrong} entries; expected {dimension}"):
             read_node(leaf(wrong), "tree", 2, FORMS[dimension])
@@ -611,3 +614,38 @@ def test_intervals_contain_exact_results_tightly():
         assert total([x, y, x]) == x.plus(y).plus(x)
     for number in (F(1, 3), F(-1, 3), 2, F(5, 4)):
         fits(interval(number), [number])
+
+
+def leaves_of(node):
+    """Yield the leaves of a tree that a search hands over."""
+    if isinstance(node, Leaf):
+        yield node
+    elif isinstance(node, (dict, list)):
+        for child in node.values() if isinstance(node, dict) else node:
+            yield from leaves_of(child)
+
+
+def with_leaf(node, old, new):
+    """Return a tree with another leaf in place of one."""
+    if node is old:
+        return new
+    if isinstance(node, dict):
+        return {key: with_leaf(child, old, new) for key, child in node.items()}
+    return [with_leaf(child, old, new) for child in node] if isinstance(node, list) else node
+
+
+def test_leaves_handed_over_are_checked_as_those_of_files():
+    grasp = random_grasp(4, 1, dimension=3)
+    wrench = next(
+        w
+        for w in (random_wrench(seed, dimension=3, bound=1) for seed in range(40))
+        if solve(grasp, w).verdict == "not resisted" and solve(grasp, w).verify().leaves > 3
+    )
+    verdict, refused = solve(grasp, wrench), 0
+    assert proof_report(verdict.case, verdict.tree)
+    for leaf in leaves_of(verdict.tree):
+        for i, (alpha, *h) in leaf.multipliers.items():
+            wrong = Leaf(leaf.motion, {**leaf.multipliers, i: (alpha + 1, *h)})
+            assert not proof_report(verdict.case, with_leaf(verdict.tree, leaf, wrong))
+            refused += 1
+    assert refused > 10

@@ -11,14 +11,14 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.errors import OutOfReachError
-from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
+from arrangement.numbers.exact import RationalVector, dot, vector_text
 from equilibrium.certificate.checker import proof_report
 from equilibrium.decide.engines import Engine, PlanarEngine
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import TimeLimitError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.solution import Open, Refutation, Solution, Tree
+from equilibrium.model.solution import Leaf, Open, Refutation, Solution, Tree
 from equilibrium.model.subject import LoadCase, by_body, flat
 
 from .magnitudes import PartEquilibrium, part_equilibria
@@ -45,7 +45,7 @@ class AssemblyEngine(Engine):
         for bodies, total in floating:
             if any(total):
                 # No contact notices the common motion.
-                leaf = {"virtual_motion": {name: list(map(to_text, total)) for name in bodies}}
+                leaf = Leaf(flat(self.assembly, dict.fromkeys(bodies, total)), {})
                 sum_ = f"the wrenches on {_listed(bodies)} add up to {vector_text(total)}"
                 return Refutation(
                     leaf, f"{_FLOATS}: {sum_}, and no contact with the ground takes that"
@@ -106,7 +106,7 @@ class AssemblyEngine(Engine):
         outcome = search.decide()
         if isinstance(outcome, Solution | Open):
             return outcome
-        return _refuted(part, _lifted(outcome, part))
+        return _refuted(part, _lifted(outcome, part, self.assembly))
 
     def _joined(self, solved: Iterable[tuple[AssemblyPart, Solution]]) -> Solution:
         """Return the equilibrium of equilibria of the parts, those nearer to the ground first."""
@@ -140,28 +140,20 @@ def _refuted(part: AssemblyPart, tree: Tree) -> Refutation:
     return Refutation(tree, f"{_named(part)} cannot balance the load")
 
 
-def _lifted(node: Any, part: AssemblyPart) -> dict[str, Any]:
+def _lifted(node: Any, part: AssemblyPart, assembly: Assembly) -> Tree:
     """Return a tree about a part as one about the assembly: what hangs on a body moves with it."""
-    for kind in ("attachment", "slip"):
-        if isinstance(node, dict) and kind in node:
-            children = {name: _lifted(child, part) for name, child in node[kind].items()}
-            return {"contact": part.contacts[node["contact"]], kind: children}
-    virtual, multipliers = node, {}
-    if isinstance(node, dict):
-        virtual, multipliers = node["virtual_motion"], node["multipliers"]
-    moved: dict[str, Any] = {}
+    if not isinstance(node, Leaf):
+        kind = "attachment" if "attachment" in node else "slip"
+        children = {name: _lifted(child, part, assembly) for name, child in node[kind].items()}
+        return {"contact": part.contacts[node["contact"]], kind: children}
+    moved: dict[str, RationalVector] = {}
     for k, name in enumerate(part.bodies):
-        own = virtual[SIZE * k : SIZE * (k + 1)]
-        if own != ["0"] * SIZE:
-            moved |= dict.fromkeys(part.hanging[name], own)
-    leaf: dict[str, Any] = {"virtual_motion": moved}
-    if multipliers:
-        rows = ((int(i), [*row, "0"][:2]) for i, row in multipliers.items())
-        leaf["multipliers"] = {str(part.contacts[i]): row for i, row in rows}
-    if isinstance(node, dict) and "displacements" in node:
-        pinned = node["displacements"].items()
-        leaf["displacements"] = {str(part.contacts[int(i)]): row for i, row in pinned}
-    return leaf
+        moved |= dict.fromkeys(part.hanging[name], node.motion[SIZE * k : SIZE * (k + 1)])
+    rows = [
+        {part.contacts[i]: row for i, row in every.items()}
+        for every in (node.multipliers, node.displacements)
+    ]
+    return Leaf(flat(assembly, moved), *rows)
 
 
 def _named(part: AssemblyPart) -> str:
