@@ -56,7 +56,7 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
         axes: names of the coordinates where these mean something; see `Planes`.
 
     Raises:
-        InputError: a float, a zero normal (named by its index), or lengths that differ.
+        InputError: a float, a zero normal (named by its number, from 1), or lengths that differ.
 
     >>> three = Arrangement([[1, 0, 0], [0, 1, 0], ["1/2", "1/3", 1]])
     >>> three.f_vector

@@ -176,10 +176,14 @@ def _needed_factor(costs: tuple[_Cost, ...]) -> float:
     return max(c.amount / c.allowed if c.amount < _NEARLY_INFINITE else math.inf for c in costs)
 
 
+def by_caller(in_python: str, in_command: str) -> str:
+    """Return the remedy of an error: a call in Python, an option of a command."""
+    return in_python if _meter.get() is None else in_command
+
+
 def raised_limit(factor: int) -> str:
-    """Return how to scale the limits: a call in Python, an option of a command."""
-    in_python = _meter.get() is None
-    return f"with arrangement.limit({factor})" if in_python else f"--limit {factor}"
+    """Return how to scale the limits."""
+    return by_caller(f"with arrangement.limit({factor})", f"--limit {factor}")
 
 
 def max_size(kind: str) -> int:

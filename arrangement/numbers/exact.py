@@ -67,7 +67,8 @@ def rational(value: Rational, name: str = "number") -> Fraction:
     if isinstance(value, numbers.Real):
         raise InputError(
             f"{name} is the float {shown(value)}, expected an exact number; write a string "
-            'such as "7/3" or "-0.25", or convert on purpose with arrangement.from_floats'
+            'such as "7/3" or "-0.25"'
+            + budget.by_caller(", or convert on purpose with arrangement.from_floats", "")
         )
     numerator, denominator = (getattr(value, k, None) for k in ("numerator", "denominator"))
     if isinstance(numerator, int) and isinstance(denominator, int):  # sympy's PythonMPQ
@@ -77,10 +78,10 @@ def rational(value: Rational, name: str = "number") -> Fraction:
     # Arrays, which have lengths, are not numbers.
     if hasattr(value, "__index__") and not hasattr(value, "__len__"):  # fmpz, mpz
         return Fraction(value.__index__())
-    raise InputError(
-        f"{name} is {shown(value)} of type {type(value).__name__}; give an integer, a Fraction, "
-        'a sympy Rational or a string such as "7/3"'
-    )
+    remedy = budget.by_caller("an integer, a Fraction, a sympy Rational", "an integer")
+    kind = type(value).__name__
+    what = budget.by_caller(f"{shown(value)} of type {kind}", "not a number")
+    raise InputError(f'{name} is {what}; give {remedy} or a string such as "7/3"')
 
 
 def _from_text(text: str, name: str) -> Fraction:
@@ -202,7 +203,16 @@ def rational_vector(
         return tuple([read(value, name) for value in values])
     except InputError:
         # Names of entries take as long as reading them: only where one is wrong.
-        return tuple(read(value, f"{name}[{i}]") for i, value in enumerate(values))
+        return tuple(read(value, entry_name(name, i)) for i, value in enumerate(values))
+
+
+def entry_name(name: str, index: int) -> str:
+    """Return what an entry is called: by its index in a variable, else by its number.
+
+    >>> entry_name("points[2]", 0), entry_name("normal 3", 0)
+    ('points[2][0]', 'entry 1 of normal 3')
+    """
+    return f"entry {index + 1} of {name}" if " " in name else f"{name}[{index}]"
 
 
 def plain_rows(rows: Sequence[Any]) -> list[IntegerVector] | None:

@@ -17,6 +17,7 @@ from arrangement.drawing.scene import Floats, PageMap, Scene, along, flattened, 
 from arrangement.drawing.solids.sight import best_view, picture_axes, unit_vectors, views
 from arrangement.drawing.views import Vector
 from arrangement.errors import InputError, extra
+from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented
 from arrangement.numbers.linear.rank import cross
 from arrangement.pictures.coordinates import (
@@ -111,7 +112,8 @@ def draw_stereographic(
         k = next(i for i, s in enumerate(arrangement.signs_at(globe.direction)) if s == 0)
         raise InputError(
             f"the camera lies on circle {k + 1}, which would pass through infinity; "
-            "choose another camera, or the front half alone (whole=False)"
+            "choose another camera, or the front half alone "
+            + budget.by_caller("(whole=False)", "(--no-whole)")
         )
     scene = Scene(width, width)
     picture = _Whole(globe, scene, colours.paint, names)

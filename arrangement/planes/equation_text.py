@@ -29,6 +29,7 @@ _NUMBER = r"[0-9]+(?:\.[0-9]+)?(?:/[0-9]+)?"
 _TERM = re.compile(
     rf"\s*([+-]?)\s*(?:({_NUMBER}|\({_NUMBER}\))\s*(\*?)\s*)?([A-Za-z]\w*)?\s*(?:/\s*([0-9]+)\s*)?"
 )
+_IRRATIONAL = re.compile(r"\b(?:sqrt|cbrt|root|pi)\b|[√π]")
 _EXAMPLE = "2*x - 1/2*y + 1 = 0"
 #: Digits of numbers that Python reads at once.
 SHORT = 1000
@@ -85,7 +86,10 @@ def planes_of_text(
 
 
 def _not_linear(line: str, place: str) -> str:
-    return f"the equation {shown(line)} is not linear near {place}; write such as {_EXAMPLE}"
+    remedy = f"write such as {_EXAMPLE}"
+    if _IRRATIONAL.search(line):
+        remedy = 'irrational numbers are written in JSON with the key "field"'
+    return f"the equation {shown(line)} is not linear in rational numbers near {place}; {remedy}"
 
 
 def named_coordinates(names: Iterable[str]) -> list[str]:

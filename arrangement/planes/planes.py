@@ -81,7 +81,7 @@ class Planes:
             no comparison looks at it, but pictures keep such coordinates.
 
     Raises:
-        InputError: a float, a zero normal (named by its index), or lengths that differ.
+        InputError: a float, a zero normal (named by its number, from 1), or lengths that differ.
 
     >>> Planes([[2, 0, 0], [0, 1, 0], ["1/2", "1/3", 1]]).integer_planes
     ((1, 0, 0, 0), (0, 1, 0, 0), (3, 2, 6, 0))
@@ -104,7 +104,7 @@ class Planes:
         budget.check_cost(f"{entries:,} numbers", "give fewer planes", bytes=60 * entries)
         plain = plain_rows(given)
         rows: list[Any] = plain or [
-            rational_vector(row, f"normals[{i}]", entry) for i, row in enumerate(given)
+            rational_vector(row, f"normal {i + 1}", entry) for i, row in enumerate(given)
         ]
         if offsets is None:
             constants: Any = (0,) * len(rows)
@@ -122,7 +122,7 @@ class Planes:
         if not all(map(any, rows)):
             i = next(i for i, row in enumerate(rows) if not any(row))
             raise InputError(
-                f"normals[{i}] is the zero vector, which defines no plane; remove plane {i}"
+                f"normal {i + 1} is the zero vector, which defines no plane; remove this plane"
             )
         if not whole:
             _check_digits(chain.from_iterable(rows))
@@ -401,7 +401,8 @@ def _common_length(rows: list[RationalVector], dimension: int | None) -> int:
     """Return d, after checking that every normal has d entries."""
     if dimension is None:
         if not rows:
-            raise InputError("no planes are given, so d is unknown; pass dimension=d")
+            remedy = budget.by_caller("pass dimension=d", 'add the key "dimension"')
+            raise InputError(f"no planes are given, so the dimension d is unknown; {remedy}")
         dimension = len(rows[0])
     if type(dimension) is not int or dimension < 0:
         raise InputError(f"the dimension is {shown(dimension)}; give an integer, at least 0")
@@ -410,7 +411,7 @@ def _common_length(rows: list[RationalVector], dimension: int | None) -> int:
     for i, row in enumerate(rows):
         if len(row) != dimension:
             raise InputError(
-                f"normals[{i}] has {len(row)} entries and the dimension is {dimension}; "
+                f"normal {i + 1} has {len(row)} entries and the dimension is {dimension}; "
                 "all normals need one entry for each coordinate"
             )
     return dimension

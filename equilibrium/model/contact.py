@@ -23,6 +23,7 @@ from typing import Any
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.numbers import budget
 from arrangement.numbers.exact import (
     RationalVector,
     dot,
@@ -257,8 +258,10 @@ def _unit(values: Iterable[Any], name: str = "normal") -> RationalVector:
         written = ", ".join(to_text(x)[:40] for x in vector)
         raise GraspError(
             f"{name} is ({written}), whose squared length is not exactly 1; "
-            "unit_normal(direction, tolerance) returns an exactly unit rational vector, and the "
-            "commands take --round-normals"
+            + budget.by_caller(
+                "unit_normal(direction, tolerance) returns an exactly unit rational vector",
+                "--round-normals takes the nearest exact unit vector",
+            )
         )
     return vector
 

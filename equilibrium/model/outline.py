@@ -27,7 +27,10 @@ class Polygon(ReprMixin):
     corners: tuple[RationalVector, ...]
 
     def __init__(self, corners: Iterable[Iterable[Any]]) -> None:
-        places = tuple(coordinates(corner, f"outline[{i}]", 2) for i, corner in enumerate(corners))
+        places = tuple(
+            coordinates(corner, f"corner {i + 1} of the outline", 2)
+            for i, corner in enumerate(corners)
+        )
         if len(places) < 3:
             raise GraspError(f"the outline has {len(places)} corners; give at least three")
         object.__setattr__(self, "corners", places)

@@ -151,6 +151,8 @@ class _Computed:
         except LookupError as error:
             remedy = "write .get(key, 0) where some have none"
             raise OwnClaimError(f"{ast.unparse(node)} has no value; {remedy}") from error
+        except ZeroDivisionError as error:
+            raise OwnClaimError(f"{ast.unparse(node)} divides by 0") from error
         except (ArithmeticError, AttributeError, TypeError, ValueError) as error:
             raise OwnClaimError(f"{ast.unparse(node)} has no value: {error}") from error
         if (

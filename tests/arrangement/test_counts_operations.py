@@ -83,7 +83,7 @@ def test_essentialization_has_full_rank_and_the_same_faces(planes):
         (counts.restriction, ([0, 1],), "no common point"),
         (counts.localization, ([0, 1],), "no common point"),
         (counts.union, (Arrangement([[1]]),), r"R\^2 and of R\^1 have no union"),
-        (counts.addition, ([0, 0],), r"normals\[3\] is the zero vector"),
+        (counts.addition, ([0, 0],), r"normal 4 is the zero vector"),
         (counts.addition, ([1, 2, 3],), "3 entries and the dimension is 2"),
         (counts.addition, ([1, 2], 0.5), "offset is the float"),
         (counts.restriction, (3,), "does not exist"),

@@ -287,7 +287,7 @@ REFUSED = {
     "a list in a list": (
         '{"_ns": {"polymake": []}, "_type": "fan::HyperplaneArrangement<Rational>", '
         '"HYPERPLANES": [["1", ["1"]]]}',
-        "normals",
+        "normal 1",
     ),
     "prose": ("Lines in the plane", "in none of the formats"),
     "a word": ("hello", "in none of the formats"),
@@ -431,6 +431,30 @@ def test_what_is_no_linear_equation_is_refused(text, tmp_path):
     path.write_text(f"x + y = 1\n{text}\n")
     with pytest.raises(InputError):
         read_arrangement(path)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("x + y = sqrt(2)", r"near '\(2\)'; irrational numbers .* key \"field\""),
+        ("x = sqrt(2)*y", "irrational numbers are written in JSON"),
+        (
+            "# a circle\nx^2 + y^2 = 1",
+            "is not linear in rational numbers near .*; write such",
+        ),
+        ("sin(x) = y\ny = 1", "'sin\\(x\\) = y' is not linear"),
+    ],
+)
+def test_file_with_equality_signs_is_answered_as_equations(text, message, tmp_path):
+    path = tmp_path / "a.txt"
+    path.write_text(text)
+    with pytest.raises(InputError, match=f"read as equations: .*{message}"):
+        read_arrangement(path)
+
+
+def test_two_equality_signs_are_one(tmp_path):
+    (tmp_path / "a.txt").write_text("x + y == 1\nx == 0\n")
+    assert read_arrangement(tmp_path / "a.txt") == Arrangement([[1, 1], [1, 0]], [1, 0])
 
 
 def test_lines_of_equations_are_recognized():

@@ -122,7 +122,7 @@ def test_matrices_of_sympy_are_read_by_rows():
     assert Arrangement(rows, offsets) == expected
     assert Arrangement(sympy.ImmutableMatrix(rows), offsets.T) == expected
     assert Arrangement(rows.tolist(), list(offsets)) == expected
-    with pytest.raises(InputError, match=r"normals\[0\]\[0\] is the float"):
+    with pytest.raises(InputError, match=r"entry 1 of normal 1 is the float"):
         Arrangement(rows / 2.0)
 
 

@@ -217,7 +217,7 @@ class TestCircle:
     def test_a_radius_must_be_positive(self):
         with pytest.raises(GraspError, match="radius"):
             on_circle(3, 1, radius=0)
-        with pytest.raises(InputError, match=r"angles\[0\] is inf; only finite"):
+        with pytest.raises(InputError, match=r"angle 1 is inf; only finite"):
             on_circle([math.inf], 1)
 
 

@@ -71,6 +71,8 @@ _DEGREES = ("deg", "degree", "degrees", "°", "")
 #: The last ones are those of tables of shapes.
 _LENGTHS = ("x", "y", "z", "radius", "x2", "y2")
 _FORCES = ("preload", "adhesion", "f_x", "f_y", "f_z", "weight")
+#: The index of the only contact of a line.
+_FIRST = r"(?<=\w)\[0\](?= )"
 #: A decimal as in most languages.
 _COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+(?:[eE][+-]?[0-9]+)?")
 _SEPARATORS = (",", ";", "\t")
@@ -247,7 +249,8 @@ def _named(line: int) -> Iterator[None]:
     try:
         yield
     except ValueError as error:
-        raise GraspError(f"line {line}: {str(error).removeprefix('normals[0]: ')}") from None
+        message = str(error).removeprefix("normals[0]: ")
+        raise GraspError(f"line {line}: {re.sub(_FIRST, '', message)}") from None
 
 
 def _header(text: str) -> list[str]:

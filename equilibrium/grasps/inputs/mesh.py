@@ -162,7 +162,7 @@ def on_mesh(
             where there is no normal; no place that faces the direction; no contact at all.
     """
     surface = Surface.read(path)
-    wanted = [coordinates(point, f"at[{i}]", 3) for i, point in enumerate(at)]
+    wanted = [coordinates(point, f"point {i + 1}", 3) for i, point in enumerate(at)]
     corners = surface.corners
     found = _nearest(surface, corners, wanted, from_floats(max_distance), smooth)
     found += _drawn(surface, corners, random, seed, facing)
@@ -234,13 +234,13 @@ def _nearest(
         least = float(distances[best])
         if least > max_distance * Fraction(surface.size):
             raise GraspError(
-                f"at[{i}] {vector_text(point)} is {least:.4g} from the surface, which is more than "
-                f"{shown(max_distance)} of its size {surface.size:.4g}; give a nearer point, or a "
-                "larger share (--max-distance)"
+                f"point {i + 1} {vector_text(point)} is {least:.4g} from the surface, more than "
+                f"{shown(max_distance)} of its size {surface.size:.4g}; give a nearer point, or "
+                "a larger share (--max-distance)"
             )
         ties = near[distances <= least + _ON_SURFACE * surface.size]
         if not smooth:
-            _check_smooth(surface.outward(corners[ties]), f"at[{i}] {vector_text(point)}")
+            _check_smooth(surface.outward(corners[ties]), f"point {i + 1} {vector_text(point)}")
         if least <= _ON_SURFACE * surface.size:
             found.append(((point, Fraction(0)), int(ties[0])))
             continue

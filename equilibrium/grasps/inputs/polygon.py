@@ -66,7 +66,7 @@ def on_circle(
         m = at_least(angles, 0, "angles")
         wanted = [360 * i / m for i in range(m)]
     else:
-        wanted = [_degrees(x, f"angles[{i}]") for i, x in enumerate(entries(angles, "angles"))]
+        wanted = [_degrees(x, f"angle {i + 1}") for i, x in enumerate(entries(angles, "angles"))]
     size, middle = rational(radius, "radius"), rational_vector(centre, "centre")
     if size <= 0 or len(middle) != 2:
         raise GraspError(

@@ -27,14 +27,19 @@ _BETWEEN = re.compile(r"[\])][\s,;]*[\[(]")
 
 
 def _equations(text: str) -> list[str]:
-    plain = _REMARK.sub("", text).replace("\u2212", "-")
+    plain = _REMARK.sub("", text).replace("\u2212", "-").replace("==", "=")
     return [line.strip() for line in re.split(r"[\n;]", plain) if line.strip()]
 
 
 def recognises_equations(text: str) -> bool:
-    """Return whether every line is an equation, or a linear form that is zero."""
+    """Return whether the first line has an equality sign, or every line is a linear form.
+
+    What is not linear is refused when it is read.
+    """
     lines = _equations(text)
-    return bool(lines) and all(map(is_equation, lines))
+    if not lines or lines[0][0] in '{["<':
+        return False
+    return "=" in lines[0] or all(map(is_equation, lines))
 
 
 def read_equations(text: str) -> Arrangement:
