@@ -10,12 +10,15 @@ load is ``w + t w'``, and each preload ``q + t q'``. The law of a contact, by it
 * stick: attached, and ``T . d = 0``;
 * slip+, slip-: attached, T . d >= 0 or <= 0, and the friction is the opposite end of the cone.
 
-Friction has one tangent or two. With two, or with cones that are no interval, a state says itself
-which conditions slip and friction obey, see `ContactState`.
+This is a complementarity problem: of ``c_n >= 0`` and ``c_n >= q - k N . d`` one is an equation,
+and so is, where a contact slips, that friction is at its limit. The attached contacts are its
+active set. Friction has one tangent or two. With two, or with cones that are no interval, a state
+says itself which conditions slip and friction obey, see `ContactState`.
 
 Conditions are written with symbols, the spring ``q - k N . d``, the slip ``T . d`` and the
-displacements of each contact: what Farkas' multipliers leave of a symbol is the multiplier of a
-leaf. The checker of certificates has a law of its own.
+displacements of each contact: what Farkas multipliers of a program leave of a symbol is the
+multiplier of a leaf, and those of the balance are its virtual motion, on which the load does more
+virtual work than the contacts can take. The checker of certificates has a law of its own.
 """
 
 from __future__ import annotations
@@ -86,9 +89,9 @@ class Condition:
 
     @cached_property
     def _whole(self) -> tuple[dict[Any, int], int]:
-        found = self._question.expanded(self.terms)
-        unit = math.lcm(*(int(x.denominator) for x in found.values()))
-        row = {j: int(x.numerator) * (unit // int(x.denominator)) for j, x in found.items()}
+        expanded = self._question.expanded(self.terms)
+        unit = math.lcm(*(int(x.denominator) for x in expanded.values()))
+        row = {j: int(x.numerator) * (unit // int(x.denominator)) for j, x in expanded.items()}
         return row, unit
 
 
@@ -247,10 +250,10 @@ class LinearQuestion:
 
     def expanded(self, terms: Terms) -> Terms:
         """Return an expression in unknowns, without symbols."""
-        found: Terms = {}
+        total: Terms = {}
         for key, x in terms.items():
-            add(found, self.symbols.get(key, {key: ONE}), x)
-        return found
+            add(total, self.symbols.get(key, {key: ONE}), x)
+        return total
 
     def is_chosen(self, i: int) -> bool:
         """Return whether the preload or the friction of a contact is not its own."""
@@ -360,9 +363,9 @@ def add(terms: Terms, others: Terms, factor: Any = 1) -> None:
 
 def added(terms: Terms, others: Terms, factor: Any = 1) -> Terms:
     """Return the sum of an expression and a multiple of another one."""
-    found = dict(terms)
-    add(found, others, factor)
-    return found
+    total = dict(terms)
+    add(total, others, factor)
+    return total
 
 
 def times(terms: Terms, factor: Any) -> Terms:
@@ -372,8 +375,8 @@ def times(terms: Terms, factor: Any) -> Terms:
 
 def combination(of: Sequence[Terms], factors: Iterable[Any]) -> Terms:
     """Return the sum of expressions times factors."""
-    found: Terms = {}
+    total: Terms = {}
     for terms, factor in zip(of, factors, strict=True):
         if factor:
-            add(found, terms, exact(factor))
-    return found
+            add(total, terms, exact(factor))
+    return total

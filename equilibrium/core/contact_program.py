@@ -247,12 +247,12 @@ class ContactProgram:
 
     def leaf(self) -> FarkasLeaf | None:
         """Return the virtual motion and multipliers that show that there is no solution, if so."""
-        found = self._program.point()
-        if not isinstance(found, Infeasible):
+        proof = self._program.point()
+        if not isinstance(proof, Infeasible):
             return None
         left: Terms = {}
         conditions = *self._least, *self._equal
-        factors = *found.inequality_multipliers, *found.equality_multipliers
+        factors = *proof.inequality_multipliers, *proof.equality_multipliers
         for condition, factor in zip(conditions, factors, strict=True):
             if factor:
                 add(left, condition.terms, exact(factor) * condition.unit)
@@ -267,14 +267,14 @@ class ContactProgram:
                 [("displacement", j) for j in range(1 + len(tangents))],
             )
         )
-        pairs = zip(found.equality_multipliers[-n:], self._equal[-n:], strict=True)
+        pairs = zip(proof.equality_multipliers[-n:], self._equal[-n:], strict=True)
         motion = tuple(-x * balance.unit for x, balance in pairs)
         return FarkasLeaf(motion, multipliers, displacements)
 
     def _point(self) -> RationalVector | None:
         """Return the unknowns that the last program ended with."""
-        found = self._program.point()
-        return None if isinstance(found, Infeasible) else found
+        result = self._program.point()
+        return None if isinstance(result, Infeasible) else result
 
     def values(self, point: Sequence[Any]) -> Values:
         """Return the numbers of expressions at a point."""
@@ -349,11 +349,11 @@ class ContactProgram:
     @staticmethod
     def _carried(terms: Terms, into: ContactProgram) -> Terms:
         """Return an expression in the unknowns of another program."""
-        found: Terms = {}
+        total: Terms = {}
         for key, x in terms.items():
             is_friction = isinstance(key, tuple) and key[0] == "friction"
-            add(found, into.forces[key[1]][1 + key[2]] if is_friction else {key: ONE}, x)
-        return found
+            add(total, into.forces[key[1]][1 + key[2]] if is_friction else {key: ONE}, x)
+        return total
 
     def range_of(self, terms: Terms) -> Interval:
         """Return the least and the largest value of an expression; None where it has none."""

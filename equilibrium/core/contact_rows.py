@@ -107,11 +107,11 @@ def _never_pressed(program: Program, forces: list[Pair]) -> list[Pair]:
     loose = forces
     while loose:
         columns = zip(*(row for row, _ in loose), strict=True)
-        found = program.minimize([-sum(column) for column in columns][:-1])
-        assert not isinstance(found, Infeasible)
-        ends = [(*found.point, Fraction(1))]
-        if isinstance(found, Unbounded):
-            ends.append((*found.ray, Fraction(0)))
+        optimum = program.minimize([-sum(column) for column in columns][:-1])
+        assert not isinstance(optimum, Infeasible)
+        ends = [(*optimum.point, Fraction(1))]
+        if isinstance(optimum, Unbounded):
+            ends.append((*optimum.ray, Fraction(0)))
         rest = [(row, t) for row, t in loose if not any(dot(row, end) > 0 for end in ends)]
         if len(rest) == len(loose):
             break

@@ -75,11 +75,11 @@ class ExactParts:
         around = [[*self.base, *_near(*pair)] for pair in towards.tolist()]
         for _ in range(_MAX_CUTS):
             frictions = [contact.friction for contact in self.rows]
-            found = self._solve(list(map(_outside, frictions, states, around)))
-            if not isinstance(found, Solution):
-                return found
+            outcome = self._solve(list(map(_outside, frictions, states, around)))
+            if not isinstance(outcome, Solution):
+                return outcome
             cut = False
-            for contact, force, directions in zip(self.rows, found.forces, around, strict=True):
+            for contact, force, directions in zip(self.rows, outcome.forces, around, strict=True):
                 normal, *friction = force
                 if dot(friction, friction) > (contact.friction * normal) ** 2:
                     x, y = map(float, _scaled(friction))
@@ -89,7 +89,7 @@ class ExactParts:
                     cut = cut or bool(new)
             if not cut:
                 break
-        return found
+        return outcome
 
     def equilibrium(self, states: States) -> Solution | None:
         """Return an equilibrium of given states, if there is one whose slips are rational."""
@@ -106,8 +106,8 @@ class ExactParts:
                 decided.append(ContactState.of("stick", 2, _inside(mu, corners)))
             else:
                 decided.append("attached")
-        found = self._solve(decided)
-        return found if isinstance(found, Solution) else None
+        outcome = self._solve(decided)
+        return outcome if isinstance(outcome, Solution) else None
 
     def _solve(self, states: Sequence[State]) -> Solution | Leaf:
         """Return the motion and all forces of a program, or the leaf that shows there are none."""

@@ -109,8 +109,8 @@ def resisted_magnitudes(
     rows, bound = ContactRows.of_grasp(solver.grasp), solver.max_displacement
     question = LinearQuestion(rows, start, along, max_displacement=bound)
     tried = map(states_of_code, watched(possible, "states"))
-    found = (ContactProgram(question, states).magnitudes() for states in tried)
-    parts = [part for part in found if part is not None]
+    intervals = (ContactProgram(question, states).magnitudes() for states in tried)
+    parts = [part for part in intervals if part is not None]
     # The screen speaks of t > 0 only.
     if not any(low == 0 for low, _ in parts) and solver.solve(start).stable:
         parts.append((Fraction(0), Fraction(0)))
@@ -119,13 +119,14 @@ def resisted_magnitudes(
 
 @dataclass(frozen=True, repr=False)
 class RoundedEnds(ReprMixin):
-    """Ends of the magnitudes resisted, for the grasps within the error of data that were asked.
+    """How far the ends of the resisted magnitudes move within the error of the data.
 
     Attributes:
-        asked: how many others were asked about.
-        ends: of all intervals in their order, the least and the greatest; None: unbounded.
-        turned: the intervals of another grasp that has more or fewer of them, or of their ends; no
-            others are asked then.
+        asked: the number of other grasps within the error whose magnitudes were computed.
+        ends: for each end of each interval, in order, the least and the greatest value; None where
+            the interval is unbounded.
+        turned: the intervals of the first grasp that has another number of them, or of bounded
+            ends; the search stops there.
     """
 
     asked: int
@@ -140,28 +141,28 @@ class RoundedEnds(ReprMixin):
         return {"asked": self.asked, "verdict": DEPENDS, "turned": list(map(texts, self.turned))}
 
 
-def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
-    """Return the ends for others within the error of converted data; None for exact data.
+def ends_within_error(solver: Solver, magnitudes: Magnitudes) -> RoundedEnds | None:
+    """Return the ends for other grasps within the error of converted data; None for exact data.
 
-    Those asked about are those of the verdict at the last end, and what resists a load beyond it.
-    What breaks incidences of the data speaks against a yes only.
+    The grasps are those that test the verdict at the last end, and those that resist a load beyond
+    it. A grasp that breaks incidences of the data can only shorten the intervals.
     """
     if solver.grasp.data_error is None:
         return None
-    low, high = found.intervals[-1] if found.intervals else (Fraction(0), None)
+    low, high = magnitudes.intervals[-1] if magnitudes.intervals else (Fraction(0), None)
     end = (low or Fraction(0)) + 1 if high is None else high
-    verdict: Any = solver.solve(_load_at(found, end))
-    ends, breaking = [_ends(found.intervals)], range(0)
+    verdict: Any = solver.solve(_load_at(magnitudes, end))
+    ends, breaking = [_ends(magnitudes.intervals)], range(0)
     asked = [*others(verdict)]
     if verdict.decided and verdict.stable:
         breaking = range(MAX_ROUNDINGS, 0 if solver.grasp.data_error.as_given else len(asked))
-        asked += met_within_error(solver.solve(_load_at(found, end + 1)))
+        asked += met_within_error(solver.solve(_load_at(magnitudes, end + 1)))
     for k, subject in enumerate(asked):
-        other = _magnitudes_of(subject, solver, found)
+        other = _magnitudes_of(subject, solver, magnitudes)
         if other is None:
             continue
         if k in breaking:
-            other = common(other, found.intervals)
+            other = common(other, magnitudes.intervals)
         ends.append(_ends(other))
         if [end is None for end in ends[0]] != [end is None for end in ends[-1]]:
             return RoundedEnds(len(ends) - 1, (), other)
@@ -170,21 +171,21 @@ def ends_within_error(solver: Solver, found: Magnitudes) -> RoundedEnds | None:
     return RoundedEnds(len(ends) - 1, tuple(pairs))
 
 
-def _load_at(found: Magnitudes, t: Fraction) -> Any:
+def _load_at(magnitudes: Magnitudes, t: Fraction) -> Any:
     """Return the load at a magnitude; of an assembly one for each body."""
-    base: Any = found.base
-    along: Any = found.direction
+    base: Any = magnitudes.base
+    along: Any = magnitudes.direction
     if isinstance(base, dict):
         return {name: sum_row(base[name], along[name], t) for name in base}
     return sum_row(base, along, t)
 
 
 def _magnitudes_of(
-    subject: Subject, solver: Solver, found: Magnitudes
+    subject: Subject, solver: Solver, magnitudes: Magnitudes
 ) -> tuple[Interval, ...] | None:
     """Return the magnitudes that another grasp or assembly resists; None where undecided."""
-    base: Any = found.base
-    along: Any = found.direction
+    base: Any = magnitudes.base
+    along: Any = magnitudes.direction
     if isinstance(subject, Grasp):
         return resisted_magnitudes(Solver(subject, solver.max_displacement), along, base).intervals
     try:

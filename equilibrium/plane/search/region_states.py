@@ -132,16 +132,16 @@ class StateSplits:
 
     def _completed(self, program: ContactProgram) -> Solution:
         """Return the equilibrium of a program with the forces of all contacts."""
-        found = program.solution()
-        assert found is not None
+        solution = program.solution()
+        assert solution is not None
         forces: list[RationalVector] = []
         for contact, sign in zip(self.contacts.grasp, self._signs, strict=True):
-            pull = contact.stiffness * dot(contact.normal_wrench, found.motion)
+            pull = contact.stiffness * dot(contact.normal_wrench, solution.motion)
             normal = max(contact.preload - pull, Fraction(0))
             forces.append((normal, -sign * contact.friction * normal))
-        for i, force in zip(self.open, found.forces, strict=True):
+        for i, force in zip(self.open, solution.forces, strict=True):
             forces[i] = force
-        return Solution(found.motion, tuple(forces))
+        return Solution(solution.motion, tuple(forces))
 
     def _leaf(self, program: ContactProgram) -> Node:
         """Return a leaf, without the multipliers that follow from the region."""

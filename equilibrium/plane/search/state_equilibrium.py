@@ -82,9 +82,9 @@ def find_equilibrium(
             guess = Guess.near(search.law, motion, eps)
             if guess not in tried:
                 tried.add(guess)
-                found = exact_equilibrium(contacts, wrench, guess)
-                if found is not None:
-                    return found
+                equilibrium = exact_equilibrium(contacts, wrench, guess)
+                if equilibrium is not None:
+                    return equilibrium
     return None
 
 
@@ -185,6 +185,8 @@ def _checked(
         forces.append((normal, rub))
     if any(force[i] <= 0 and special[i] for i in special):
         return None
-    found = Solution(tuple(Fraction(x, scale) for x in point[:3]), tuple(forces))
+    solution = Solution(tuple(Fraction(x, scale) for x in point[:3]), tuple(forces))
     most = contacts.max_displacement
-    return found if most is None or displacement(contacts.grasp, found.motion) <= most else None
+    return (
+        solution if most is None or displacement(contacts.grasp, solution.motion) <= most else None
+    )

@@ -48,7 +48,7 @@ def unit_of(numbers: Iterable[Fraction]) -> Fraction:
 
 @dataclass(frozen=True)
 class SearchUnits:
-    """What one means in each kind of number: `step` of a motion along x and y."""
+    """The units of lengths, of forces, and (`step`) of motions along x and y."""
 
     length: Fraction
     force: Fraction
@@ -122,9 +122,9 @@ class SearchUnits:
 
     @cached_property
     def _whole(self) -> tuple[int, ...]:
-        """One of a leaf's turn, its slips, its works, of a step and a turn.
+        """Units of what leaves and regions have, times one number that makes them integers.
 
-        All times the same, so that they are integers.
+        They are those of a leaf's turn, its slips and its works; of a region's step and its turn.
         """
         slip = self.force / self.step
         units = 1 / self.length, slip, Fraction(1), self.step

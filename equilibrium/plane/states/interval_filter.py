@@ -91,10 +91,10 @@ class Screen:
     @cached_property
     def singular(self) -> Booleans:
         """The choices whose systems floats cannot solve, whatever the wrench."""
-        found = np.ones(len(self.codes), dtype=np.bool_)
+        singular = np.ones(len(self.codes), dtype=np.bool_)
         for batch in self._batches:
-            found[batch.rows] = ~(batch.beta < 1)
-        return found
+            singular[batch.rows] = ~(batch.beta < 1)
+        return singular
 
     def possible(self, base: RationalVector, direction: RationalVector | None = None) -> Booleans:
         """Return for each choice of states whether the wrench ``base`` may have it.
@@ -204,52 +204,52 @@ class _Batch:
     def possible(self, base: Floats, direction: Floats | None = None) -> Booleans:
         """Return whether all conditions of each choice may hold; see `Screen`."""
         with np.errstate(all="ignore"):
-            found = [self._solve(base)]
+            solutions = [self._solve(base)]
             if direction is not None:
-                found.append(self._solve(direction, 0.0))
-            bounds = [self._springs(one) for one in found]
+                solutions.append(self._solve(direction, 0.0))
+            bounds = [self._springs(one) for one in solutions]
             possible = ~_surely_empty(*bounds)
             left = np.flatnonzero(possible)
             if len(left):
                 bounds = [
                     np.hstack([springs[left], self._slips_and_friction(one.at(left), left)])
-                    for springs, one in zip(bounds, found, strict=True)
+                    for springs, one in zip(bounds, solutions, strict=True)
                 ]
                 possible[left] = ~_surely_empty(*bounds)
         return possible
 
-    def _springs(self, found: _Solutions) -> Floats:
+    def _springs(self, solutions: _Solutions) -> Floats:
         """Return upper bounds of the spring conditions, by contact."""
-        normal, doubt = self._normal_forces(found)
+        normal, doubt = self._normal_forces(solutions)
         bounds: Floats = np.where(self.codes == DETACHED, -normal, normal) + doubt
         return bounds
 
-    def _normal_forces(self, found: _Solutions) -> tuple[Floats, Floats]:
+    def _normal_forces(self, solutions: _Solutions) -> tuple[Floats, Floats]:
         """Return ``preload - stiffness N . d`` and a bound of its error, by contact."""
         spring, preload = self.contacts.spring[:, 1:], self.contacts.preload
-        normal = found.loaded * preload + found.motion @ spring.T
-        doubt = _MARGIN * np.outer(found.reach, np.abs(spring).sum(axis=1))
-        return normal, doubt + found.loaded * (_MARGIN * _FORCE_ERROR * preload)
+        normal = solutions.loaded * preload + solutions.motion @ spring.T
+        doubt = _MARGIN * np.outer(solutions.reach, np.abs(spring).sum(axis=1))
+        return normal, doubt + solutions.loaded * (_MARGIN * _FORCE_ERROR * preload)
 
-    def _slips_and_friction(self, found: _Solutions, rows: Integers) -> Floats:
+    def _slips_and_friction(self, solutions: _Solutions, rows: Integers) -> Floats:
         """Return upper bounds of the other conditions of some rows; infinite where none is."""
         data, codes = self.contacts, self.codes[rows]
-        moved = found.motion @ data.tangent.T
-        doubt = _MARGIN * np.outer(found.reach, np.abs(data.tangent).sum(axis=1))
+        moved = solutions.motion @ data.tangent.T
+        doubt = _MARGIN * np.outer(solutions.reach, np.abs(data.tangent).sum(axis=1))
         slips = (codes != 0) & (codes != DETACHED)
         bounds = [np.where(slips, moved * codes + doubt, np.inf)]
         if self.size > 3:
-            bounds += self._friction(found, rows)
+            bounds += self._friction(solutions, rows)
         return np.concatenate(bounds, axis=1)
 
-    def _friction(self, found: _Solutions, chosen: Integers) -> list[Floats]:
+    def _friction(self, solutions: _Solutions, chosen: Integers) -> list[Floats]:
         """Return upper bounds of the friction conditions, two for each sticking plane.
 
         They are the limit of all contacts that stick on it, less or plus their force along the
         tangent of the first of them; they stand in the column of this one.
         """
         screen, codes, m = self.screen, self.codes[chosen], self.codes.shape[1]
-        normal, doubt = self._normal_forces(found)
+        normal, doubt = self._normal_forces(solutions)
         lower, upper = np.full((2, len(codes), m), np.inf)
         rows = np.arange(len(codes))
         for j in range(self.size - 3):
@@ -258,8 +258,8 @@ class _Batch:
             limit = (share * normal).sum(axis=1)
             unsure = (share * (doubt + error_bound(2 * (m + 3)) * np.abs(normal))).sum(axis=1)
             first = sticking.argmax(axis=1)
-            force = found.forces[:, j] * screen.orientation[first]
-            unsure = _MARGIN * (unsure + found.error + _ROUNDED_ERROR * np.abs(force))
+            force = solutions.forces[:, j] * screen.orientation[first]
+            unsure = _MARGIN * (unsure + solutions.error + _ROUNDED_ERROR * np.abs(force))
             lower[rows, first] = limit - force + unsure
             upper[rows, first] = limit + force + unsure
         return [lower, upper]
