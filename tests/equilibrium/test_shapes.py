@@ -4,7 +4,7 @@ import json
 import math
 import random
 from fractions import Fraction
-from itertools import accumulate, combinations, pairwise
+from itertools import accumulate, combinations, pairwise, product
 
 import pytest
 
@@ -27,6 +27,17 @@ UNITS = [
     for sx in (1, -1)
     for sy in (1, -1)
 ]
+
+
+SPATIAL = [
+    tuple(Fraction(s * x, 3) for s, x in zip(sides, sizes, strict=True))
+    for sizes in ((1, 2, 2), (2, 1, 2), (2, 2, 1))
+    for sides in product((1, -1), repeat=3)
+]
+
+
+def ball(centre, radius):
+    return {"sphere": {"centre": list(map(str, centre)), "radius": str(radius)}}
 
 
 def disc(name, x, y, radius, **more):
@@ -266,7 +277,7 @@ class TestRandomScenes:
         assert rounded > 200
 
     def test_verdicts_are_those_of_contacts_by_hand(self):
-        source, seen = random.Random(57), set()
+        source, seen, bound = random.Random(57), set(), Fraction(1, 10**7)
         for _ in range(200):
             scene, read = random_scene(source)
             bodies = [RigidBody(row["name"]) for row in scene["bodies"]]
@@ -277,8 +288,44 @@ class TestRandomScenes:
             weights = read.subject.weights
             verdict = solve(Assembly(bodies, contacts), weights).verdict
             assert solve(read.subject, weights).verdict == verdict
+            near = read_shapes(moved_a_little(scene, source, bound), gap=6 * bound).subject
+            assert solve(near, near.weights).verdict == verdict
             seen.add(verdict)
         assert seen >= {"resisted", "not resisted"}
+
+    def test_spheres_touch_planes_and_spheres(self):
+        """A sphere among others at known places; decimals keep the normals through its centre."""
+        source, bound, made = random.Random(58), Fraction(1, 10**6), 0
+        for _ in range(300):
+            centre = [Fraction(source.randint(-9, 9), 4) for _ in range(3)]
+            radius, ground, due = Fraction(source.randint(1, 9), 3), [], set()
+            for n in source.sample(SPATIAL, source.randint(1, 4)):
+                foot = [c - radius * x for c, x in zip(centre, n, strict=True)]
+                due.add((tuple(foot), n))
+                if source.random() < 0.5:
+                    length = source.randint(1, 5)
+                    normal = [str(length * x) for x in n]
+                    ground.append({"plane": {"point": list(map(str, foot)), "normal": normal}})
+                else:
+                    reach = Fraction(source.randint(1, 9), 4)
+                    place = [c - (radius + reach) * x for c, x in zip(centre, n, strict=True)]
+                    ground.append(ball(place, reach))
+            known = {"schema_version": 1, "friction": "1/2", "ground": ground}
+            read = read_shapes(known | {"body": ball(centre, radius)})
+            made += 1
+            assert {(c.point, c.normal) for c in read.subject} == due
+            near = [x + bound * source.randint(-4, 4) for x in centre]
+            again = read_shapes(known | {"body": ball(near, radius)}, gap=8 * bound).subject
+            assert len(again) == len(due)
+            for c in again:
+                assert all(
+                    x - p == radius * n for x, p, n in zip(near, c.point, c.normal, strict=True)
+                )
+                error = min(
+                    max(abs(x - y) for x, y in zip(c.normal, n, strict=True)) for _, n in due
+                )
+                assert error < 100 * bound
+        assert made == 300
 
 
 class TestPlaces:
