@@ -8,15 +8,26 @@ tangent of half the angle, and those of the unit sphere are ``(1 - u^2 - v^2, 2u
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 from arrangement.console.number_form import table
-from arrangement.numbers.exact import RationalVector, dot, from_float, rational_vector, shown
+from arrangement.numbers.exact import (
+    RationalVector,
+    dot,
+    from_float,
+    rational_vector,
+    shown,
+    without_denominators,
+)
 from arrangement.numbers.linear.rank import cross
 
 from .errors import GraspError
+
+#: Directions whose unit vectors are remembered.
+_CACHED = 256
 
 
 class UnitNormal(NamedTuple):
@@ -69,16 +80,29 @@ def unit_normal(direction: Iterable[Any], tolerance: Any = Fraction(1, 10**6)) -
         raise GraspError(
             f"tolerance is {shown(tolerance)}; it must be above 0 and at most 1 (radians)"
         )
+    return _nearest(wanted, bound)
+
+
+@lru_cache(maxsize=_CACHED)
+def _nearest(wanted: RationalVector, bound: Fraction) -> UnitNormal:
+    """Return what `unit_normal` does; conversions want it of a direction twice."""
     exact = _exact_unit(wanted)
     if exact is not None:
         return UnitNormal(exact, Fraction(0))
-    near, tangent = (_near, _tangent) if len(wanted) == 2 else (_near_in_space, _tangent_in_space)
+    # Directions in space are in integers, of which the tangents need no length.
+    whole = without_denominators(wanted)
     limit = 1
     while True:
-        normal = near(wanted, limit)
-        error = tangent(wanted, normal)
-        if error is not None and abs(error) <= bound:
-            return UnitNormal(normal, error)
+        if len(wanted) == 2:
+            normal = _near(wanted, limit)
+            error = _tangent(wanted, normal)
+            if error is not None and abs(error) <= bound:
+                return UnitNormal(normal, error)
+        else:
+            along, length = _near_in_space(whole, limit)
+            error = _tangent_in_space(whole, along)
+            if error is not None and error <= bound:
+                return UnitNormal(tuple(Fraction(x, length) for x in along), error)
         limit *= 2
 
 
@@ -126,29 +150,31 @@ def _half_tangent(large: Fraction, small: Fraction, limit: int) -> Fraction:
     return slope / (1 + _root(1 + slope * slope, limit))
 
 
-def _near_in_space(v: RationalVector, limit: int) -> RationalVector:
-    """Return the unit vector whose u and v are v's with a common denominator of at most limit.
+def _near_in_space(v: Sequence[int], limit: int) -> tuple[list[int], int]:
+    """Return a vector of integers, and its length, near the direction of v.
 
-    They belong to the largest coordinate, which goes first and is made positive: both are at most
+    Its half-angle tangents are those of v with a common denominator of at most limit. They belong
+    to the largest coordinate, which goes first and is made positive: both are at most
     1 / (1 + sqrt(2)) then. Of the denominators up to 2^14 the best is taken.
     """
     first = max(range(3), key=lambda j: abs(v[j]))
     others = [j for j in range(3) if j != first]
-    scaled = [v[j] / abs(v[first]) for j in others]
-    length = _root(1 + Fraction(dot(scaled, scaled)), limit)
-    exact = [x / (1 + length) for x in scaled]
+    square, digits = dot(v, v), 4 * limit.bit_length() + 16
+    # Tangents are ``x / (|first| + |v|)``, here with a root rounded down.
+    bottom = (abs(v[first]) << digits) + math.isqrt(square << (2 * digits))
+    tops = [v[j] << digits for j in others]
     unit = limit
     if limit <= 2**14:
         import numpy as np
 
-        few, pair = np.arange(max(limit // 2, 1), limit + 1), np.array(exact, dtype=float)[:, None]
+        few, pair = np.arange(max(limit // 2, 1), limit + 1), np.array([[x / bottom] for x in tops])
         unit = int(few[np.abs(pair - np.rint(pair * few) / few).max(axis=0).argmin()])
-    halves = [Fraction(round(x * unit), unit) for x in exact]
-    square: Fraction = dot(halves, halves)
-    found: list[Fraction] = [(1 if v[first] > 0 else -1) * (1 - square) / (1 + square)] * 3
+    halves = [(2 * x * unit + bottom) // (2 * bottom) for x in tops]
+    squares = sum(x * x for x in halves)
+    found = [(1 if v[first] > 0 else -1) * (unit * unit - squares)] * 3
     for j, x in zip(others, halves, strict=True):
-        found[j] = 2 * x / (1 + square)
-    return tuple(found)
+        found[j] = 2 * x * unit
+    return found, unit * unit + squares
 
 
 def _root(square: Fraction, limit: int) -> Fraction:
@@ -158,15 +184,14 @@ def _root(square: Fraction, limit: int) -> Fraction:
     return Fraction(math.isqrt(scaled.numerator // scaled.denominator), 1 << digits)
 
 
-def _tangent_in_space(wanted: RationalVector, unit: RationalVector) -> Fraction | None:
+def _tangent_in_space(wanted: Sequence[Any], unit: Sequence[Any]) -> Fraction | None:
     """Return a rational just above the tangent of the angle; None at a right angle or beyond."""
     cosine = dot(wanted, unit)
     if cosine <= 0:
         return None
     sines = cross(wanted, unit)
-    square = dot(sines, sines) / (cosine * cosine)
-    scaled = square * 10**40
-    return Fraction(math.isqrt(scaled.numerator // scaled.denominator) + 1, 10**20)
+    scaled = dot(sines, sines) * 10**40 // (cosine * cosine)
+    return Fraction(math.isqrt(scaled) + 1, 10**20)
 
 
 def _tangent(wanted: RationalVector, unit: RationalVector) -> Fraction | None:
