@@ -360,6 +360,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "tests/equilibrium/test_corners.py",
     ): ("equilibrium.model.subject",),
     (
+        "tests/equilibrium/test_contact_law.py",
         "tests/equilibrium/test_assembly_magnitudes.py",
         "tests/equilibrium/test_assemblies.py::TestEquilibria",
     ): (

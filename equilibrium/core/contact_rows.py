@@ -1,6 +1,6 @@
-"""The law of one contact as linear rows, for everything on the solver's side.
+"""Springs, slips, cones and balance as rows, for methods with another law, and for pictures.
 
-The checker of certificates has its own. A row has one coefficient for each of n variables, the
+The law is in `equilibrium.core.contact_law`. A row has one coefficient for each of n variables, the
 motion ``d = (x, y, r)`` first, and the constant last.
 """
 

@@ -1,0 +1,98 @@
+"""The law of a contact in a state: by name and in conditions, with one tangent and with two."""
+
+from fractions import Fraction
+from itertools import product
+
+import pytest
+
+from arrangement.numbers.exact import dot
+from equilibrium import Contact, Grasp
+from equilibrium.core.contact_law import ContactState, LinearQuestion
+from equilibrium.core.contact_program import ContactProgram
+from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+from equilibrium.model.rows import ContactRows
+from equilibrium.model.solution import Solution
+
+F = Fraction
+NAMES = ("detached", "slip+", "slip-", "stick")
+MU = F(1, 2)
+#: What these names stand for at a contact with friction, along one tangent.
+CONDITIONS = {
+    "detached": ContactState("detached"),
+    "slip+": ContactState("attached", ((False, (1,)),), share=(-1,)),
+    "slip-": ContactState("attached", ((False, (-1,)),), share=(1,)),
+    "stick": ContactState("attached", ((True, (1,)),), ((False, (MU, 1)), (False, (MU, -1)))),
+}
+
+
+def posed(contacts, load, **options):
+    return LinearQuestion(ContactRows.of_grasp(Grasp(contacts)), tuple(map(F, load)), **options)
+
+
+def rough(grasp):
+    return [Contact(c.point, c.normal, MU, c.stiffness, c.preload) for c in grasp]
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_names_stand_for_their_conditions(seed):
+    question = posed(rough(random_grasp(3, seed)), random_wrench(seed))
+    for names in product(NAMES, repeat=3):
+        by_name, in_conditions = (
+            ContactProgram(question, states)
+            for states in (names, tuple(map(CONDITIONS.get, names)))
+        )
+        assert by_name.inequalities == in_conditions.inequalities
+        assert by_name.equalities == in_conditions.equalities
+
+
+@pytest.mark.parametrize("seed", range(1, 9, 2))
+def test_question_at_rest_has_the_solutions_without_motion(seed):
+    grasp = rough(random_grasp(4, seed))
+    pulls = [[c.preload * x for x in c.normal_wrench] for c in grasp]
+    load, feasible = [-sum(column) for column in zip(*pulls, strict=True)], 0
+    for question in (posed(grasp, load), posed(grasp, load, max_displacement=F(1))):
+        for names in product(("detached", "stick"), repeat=4):
+            if names.count("stick") < 3:
+                continue
+            program, resting = (ContactProgram(x, names) for x in (question, question.at_rest))
+            assert program.feasible == resting.feasible
+            if program.feasible:
+                feasible += 1
+                assert program.within(resting)
+                assert resting.within(program)
+    assert feasible
+
+
+def test_slip_along_a_known_direction_in_space():
+    """A point on a floor with friction 1/2, pushed with twice its limit, and held by a wall."""
+    floor = Contact([0, 0, 0], [0, 0, 1], MU, preload=1)
+    wall = Contact([0, 0, 0], [-F(3, 5), -F(4, 5), 0], 0)
+    (first, second), along = floor.tangential_wrenches, (F(3, 5), F(4, 5), 0, 0, 0, 0)
+    share = tuple(-dot(x, along) for x in (first, second))
+    sides = (
+        (False, tuple(-x for x in share)),
+        (True, (share[1], -share[0])),
+    )
+    load = tuple(x - y for x, y in zip(along, (0, 0, 1, 0, 0, 0), strict=True))
+    slips = ContactState("attached", sides, share=share)
+    program = ContactProgram(posed([floor, wall], load), (slips, "attached"))
+    solution = program.solution()
+    assert isinstance(solution, Solution)
+    assert solution.forces == ((1, MU * share[0], MU * share[1]), (MU, 0, 0))
+    assert dot(along, solution.motion) == MU
+    assert program.holds(solution)
+    assert not program.holds(Solution(solution.motion, ((1, 0, 0), (MU, 0, 0))))
+    # Pulled the other way it would slip against this state.
+    back = tuple(-x for x in along[:2]) + load[2:]
+    leaf = ContactProgram(posed([floor, wall], back), (slips, "attached")).leaf()
+    assert leaf is not None
+    assert len(leaf.multipliers[0]) == 3
+
+
+def test_conditions_do_not_depend_on_the_load():
+    question = posed(rough(random_grasp(3, 1)), (0, 0, 0))
+    loaded = question.with_load((F(1), F(2), F(3)))
+    assert loaded.load == (1, 2, 3)
+    assert loaded.conditions(0, "slip+") is question.conditions(0, "slip+")
+    (one, other) = (ContactProgram(x, ("slip+",) * 3).equalities for x in (question, loaded))
+    assert one != other
