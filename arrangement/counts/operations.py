@@ -274,7 +274,8 @@ def over_factors(
 
 
 def _select(arrangement: AnyPlanes, planes: Sequence[int]) -> AnyPlanes:
-    return _of(arrangement, [arrangement.integer_planes[i] for i in planes])
+    chosen = _of(arrangement, [arrangement.integer_planes[i] for i in planes])
+    return chosen.named([arrangement.names[i] for i in planes]) if arrangement.names else chosen
 
 
 def _with_planes(arrangement: AnyPlanes, more: Sequence[Sequence[Any]]) -> AnyPlanes:

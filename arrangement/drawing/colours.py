@@ -162,7 +162,7 @@ def read_choice(
             return colour, []
         name, listed = (name, listed) if colon else ("", colour)
         fills = listed.split(",")
-    return name or None, [_hex(text.strip()) for text in fills]
+    return name or None, [hex_colour(text.strip()) for text in fills]
 
 
 def is_colour(text: str) -> bool:
@@ -172,7 +172,8 @@ def is_colour(text: str) -> bool:
     return text not in COLOURINGS and is_color_like(text.strip())
 
 
-def _hex(text: str) -> str:
+def hex_colour(text: str) -> str:
+    """Return a colour by name or ``#rgb`` as ``#rrggbb``, or refuse it."""
     from matplotlib.colors import to_hex
 
     if not is_colour(text):
@@ -192,7 +193,7 @@ def _some_regions(text: str, regions: Sequence[DrawnRegion]) -> Painter:
                 f"the colour of {shown(name)} is given; expected the sign vector of a region that "
                 "is drawn, as in +-+=gold"
             )
-        fills[signs] = _hex(fill)
+        fills[signs] = hex_colour(fill)
     return lambda region: fills.get(region.signs, "#ffffff")
 
 
@@ -284,8 +285,13 @@ def plane_colour(label: int) -> str:
 
 @cache
 def letter_colour(label: int) -> str:
-    """Return the colour of a class of planes, dark enough for text on white (4.5 to 1, WCAG)."""
-    channels = [int(plane_colour(label)[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    """Return the colour of a class of planes, dark enough for text on white."""
+    return readable(plane_colour(label))
+
+
+def readable(colour: str) -> str:
+    """Return a colour ``#rrggbb``, dark enough for text on white (4.5 to 1, WCAG)."""
+    channels = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
     weights = 0.2126, 0.7152, 0.0722
     while sum(w * x**2.2 for w, x in zip(weights, channels, strict=True)) > 0.18:
         channels = [0.95 * x for x in channels]

@@ -357,7 +357,11 @@ def _measured(
     renderer, figure = _measuring()
     label = Text(0, 0, text, size=size, rotation=rotation, weight=weight, linespacing=1.0)
     label.set_figure(figure)
-    extent = label.get_window_extent(renderer)
+    try:
+        extent = label.get_window_extent(renderer)
+    except ValueError as error:  # of matplotlib's formulas
+        problem = str(error).strip().splitlines()[-1]
+        raise InputError(f"the text {shown(text)} is not a formula: {problem}") from None
     return extent.width * 72 / DPI, extent.height * 72 / DPI
 
 

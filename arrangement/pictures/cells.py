@@ -143,7 +143,10 @@ def cells_page(
         facts = [("planes", planes or "none"), ("a point", point), ("in the cube", whole)]
         told.append((sign or "all", facts))
     legend = [
-        (pale(plane_colour(label)), f"{plane_names(members)}: {equation(first[:3], first[3])}")
+        (
+            pale(plane_colour(label)),
+            f"{plane_names(arrangement, members)}: {equation(first[:3], first[3])}",
+        )
         for label, (members, first) in enumerate(zip(arrangement.distinct, firsts, strict=True))
     ]
     body = cells.body

@@ -290,7 +290,7 @@ def draw_gnomonic(
     whole = globe.whole.arrangement
     seen = {k for c, x in enumerate(whole.distinct) if chart.ends(c) for k in x}
     out = [k for k in range(len(whole)) if k not in seen]
-    what = [f"line{'s' * (len(out) > 1)} {plane_names(out)}"] * bool(out)
+    what = [f"line{'s' * (len(out) > 1)} {plane_names(whole, out)}"] * bool(out)
     what += [counted(len(globe.front) - len(shown), "region")] * (len(shown) < len(globe.front))
     disc.scene.legend.captions += [f"farther out: {', '.join(what)}"] * bool(what)
     disc.scene.legend.line("signs up to a common change")

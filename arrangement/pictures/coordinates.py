@@ -19,6 +19,7 @@ the weights are a mean of all bases, so they lie inside the polytope of bases.
 from __future__ import annotations
 
 import functools
+import inspect
 import itertools
 import math
 from collections.abc import Callable, Sequence
@@ -42,6 +43,14 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, dot, primitive, shown
 from arrangement.numbers.linear.rank import cross, rank
 from arrangement.numbers.symbolic import real_vector
+from arrangement.pictures.looks import (
+    ColoursOption,
+    NamesOption,
+    give_looks,
+    read_looks,
+    read_names,
+)
+from arrangement.pictures.names import items_of
 from arrangement.planes.planes import Planes
 
 P = ParamSpec("P")
@@ -101,6 +110,16 @@ RANKS = {
 DUAL_MODEL = Ranks(4, central=True)
 
 
+#: The options of every view of planes, for its docstring and its signature.
+_TEXT = """    names: of single planes, by number from 1 on, ``"1=ell,2=m"`` or ``{1: "ell"}``; or
+        of all,
+        in their order; if omitted, those of the file.
+    colours: of single planes, by number or name, each with a dash after a colon if it has one,
+        ``"ell=gold,2=#0af:dashed,3=:dotted"``; solid, dashed or dotted.
+"""
+_OPTIONS: dict[str, Any] = {"names": NamesOption | None, "colours": ColoursOption | None}
+
+
 def planes_view(
     name: str,
 ) -> Callable[
@@ -108,7 +127,8 @@ def planes_view(
 ]:
     """Return a decorator: `picture` of a view `name` that draws planes of any space.
 
-    They are brought to the space of the view, and a caption says so.
+    They are brought to the space of the view, and a caption says so. The view has the options
+    names and colours.
 
     Raises:
         InputError: the view cannot show the planes; others that can are named.
@@ -118,13 +138,29 @@ def planes_view(
         view: Callable[Concatenate[Arrangement, P], Scene],
     ) -> DrawingView[Concatenate[Arrangement, P]]:
         @functools.wraps(view)
-        def draw(arrangement: Arrangement, /, *args: P.args, **options: P.kwargs) -> Scene:
-            scene = view(in_view_space(arrangement, name), *args, **options)
-            if text := caption(arrangement, _dimension(name, arrangement)):
+        def draw(arrangement: Arrangement, /, *args: Any, **options: Any) -> Scene:
+            names, colours = options.pop("names", None), options.pop("colours", None)
+            planes = arrangement if names is None else arrangement.named(read_names(names))
+            looks = None if colours is None else read_looks(colours, planes)
+            scene = view(in_view_space(planes, name), *args, **options)
+            if text := caption(planes, _dimension(name, planes)):
                 scene.legend.captions.append(text)
+            if looks is not None:
+                give_looks(scene, planes, looks)
             return scene
 
-        return picture()(draw)
+        made: Any = draw
+        made.__doc__ = inspect.cleandoc(view.__doc__ or "").replace(
+            "\nRaises:", f"{_TEXT}\nRaises:"
+        )
+        made.__annotations__ = {**view.__annotations__, **_OPTIONS}
+        signature = inspect.signature(view)
+        more = [
+            inspect.Parameter(option, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=kind)
+            for option, kind in _OPTIONS.items()
+        ]
+        made.__signature__ = signature.replace(parameters=[*signature.parameters.values(), *more])
+        return picture()(made)
 
     return decorate
 
@@ -266,6 +302,7 @@ def mapped(matrix: Floats, planes: Planes) -> tuple[Arrangement, list[IntegerVec
     moved = Arrangement(
         [[dot(row, plane[:-1]) for row in rows] for plane in planes.integer_planes],
         [scale * offset for offset in planes.offsets],
+        names=planes.names,
     )
     return moved, rows
 
@@ -506,11 +543,6 @@ def within_reach(axes: Floats, half: float, most: float) -> float:
     return min(most, (half - 9.0) / (REACH * float(np.abs(axes[:, :2]).max())))
 
 
-def items_of(planes: Planes) -> str:
-    """Return what hyperplanes are called in their space."""
-    return {2: "lines", 3: "planes"}.get(planes.dimension, "hyperplanes")
-
-
 def caption(planes: Planes, dimension: int) -> str:
     """Return what is said below a picture of planes in R^dimension; nothing in their own space."""
     if planes.dimension == dimension:
@@ -546,6 +578,7 @@ def in_space(arrangement: Arrangement, dimension: int) -> Arrangement:
         [(*(dot(row, normal) for row in rows), *zeros) for normal in chosen],
         [offset * scale for offset in arrangement.offsets],
         dimension=dimension,
+        names=arrangement.names,
     )
 
 

@@ -433,7 +433,7 @@ class _SolidPanel:
                 by_class.setdefault(c, []).append((-round(length, 3), e))
         off = self._off(small + 0.5)
         for c, edges in sorted(by_class.items()):
-            text = plane_names(classes[c])
+            text = plane_names(self.globe.whole.arrangement, classes[c])
             for _, e in sorted(edges):
                 ends = self.places[list(solid.edges[e][:2])]
                 look = {"off": off, "color": letter_colour(c), "style": "italic"}

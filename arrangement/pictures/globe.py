@@ -635,7 +635,9 @@ def alone(
 def rim_width(scene: Scene, globe: Globe, names: RegionLabels | None = None) -> float:
     """Return the room that numbers of planes and short labels need outside the limb, in points."""
     arrangement = globe.whole.arrangement
-    widths = [5.5 + scene.measure(plane_names(x), 7.0)[0] for x in arrangement.distinct]
+    widths = [
+        5.5 + scene.measure(plane_names(arrangement, x), 7.0)[0] for x in arrangement.distinct
+    ]
     # Up to three signs fit into most regions.
     beside_ball = names and names.kind == "signs" and len(arrangement) > 3
     forms = names.forms((1,) * len(arrangement)) if names and beside_ball else []

@@ -183,7 +183,8 @@ def draw_graph(
     scene = Scene(width, width)
     if planar and arrangement.rank == 3:
         crossed = sorted({c for u, v, c in graph.edges if u in graph.outer and v in graph.outer})
-        planes = plane_names(sorted(k for c in crossed for k in arrangement.distinct[c]))
+        members = sorted(k for c in crossed for k in arrangement.distinct[c])
+        planes = plane_names(arrangement, members)
         scene.legend.line(f"outer polygon: a ray on the planes {planes}")
     GraphPicture(arrangement, graph, scene, names, colour).draw()
     return scene
@@ -365,14 +366,14 @@ class GraphPicture:
                 continue
             if self.lengths[e] < 2 * self.size + 10:
                 break
-            text = plane_names(self.arrangement.distinct[c])
+            text = plane_names(self.arrangement, self.arrangement.distinct[c])
             look = {"off": off, "color": letter_colour(c), "style": "italic"}
             places = across(self.segments[e])
             if write_if_free(self.scene, [text], SIZES[1:2], places, **look):
                 named.add(c)
         unnamed = set() if self.graph.outer else {*range(len(self.arrangement.distinct))} - named
         for c in sorted(unnamed):
-            text = plane_names(self.arrangement.distinct[c])
+            text = plane_names(self.arrangement, self.arrangement.distinct[c])
             self.scene.legend.key(stroke(ec=letter_colour(c), lw=1.2), text)
 
     def _labels(self) -> None:

@@ -113,7 +113,7 @@ class _HasseDiagram:
     def _name(self, flat: Flat) -> str:
         if not flat.rank:
             return "\u211d" + str(flat.dimension).translate(RAISED)
-        return plane_names(flat.planes)
+        return plane_names(self.lattice.arrangement, flat.planes)
 
     def draw(self) -> Scene:
         lattice, scene = self.lattice, self.scene

@@ -358,7 +358,9 @@ class PolygonChart(LinesChart):
             middle, half = _around(vertices)
             window = [tuple(m + s * h for m, h in zip(middle, half, strict=True)) for s in (-1, 1)]
         rows = [*lines.integer_planes, *sides.integer_planes]
-        super().__init__(Arrangement([r[:-1] for r in rows], [r[-1] for r in rows]), window)
+        names = [*(lines.names or [""] * len(lines)), *[""] * len(sides)]
+        joined = Arrangement([r[:-1] for r in rows], [r[-1] for r in rows], names=names)
+        super().__init__(joined, window)
         self.count = len(lines)
 
     def is_inside(self, signs: Sequence[int], closed: bool = False) -> bool:
@@ -607,7 +609,7 @@ class _WindowSheet(_Sheet):
     def draw(self, width: float) -> None:
         chart = self.chart
         x, y = (float(half) for half in chart.half)
-        names = [plane_names(members, chart.count) for members in chart.lines.distinct]
+        names = [plane_names(chart.lines, members, chart.count) for members in chart.lines.distinct]
         trial = Scene(width, 10.0)
         margin = max([MARGIN, *(trial.measure(name)[0] + 5 for name in names)])
         room = trial.width - 2 * margin

@@ -16,7 +16,7 @@ from arrangement.drawing.scene import POINTS, Legend, Scene, Symbol
 from arrangement.errors import InputError, refusal
 from arrangement.numbers import exact
 from arrangement.numbers.exact import IntegerVector, shown, sum_text, to_text
-from arrangement.pictures.coordinates import items_of
+from arrangement.planes.planes import Planes
 
 #: Of regions: a word, or some regions, by sign vector or number, with or without texts.
 Labels: TypeAlias = Annotated[str | Mapping[Any, str] | Iterable[Any], Syntax(metavar="NAME")]
@@ -36,6 +36,7 @@ class RegionLabels:
     Numbers are 1, 2, ... in the order of `Arrangement.regions`.
 
     Attributes:
+        arrangement: the planes, with their names.
         kind: "signs", "numbers" or "none".
         requested: whether labels were asked for; only then a note says which have no room.
         items: what the picture shows of the hyperplanes: "lines", "circles", "planes".
@@ -54,7 +55,7 @@ class RegionLabels:
     ) -> None:
         """Take the number of regions drawn, if not all, and that up to which they have labels."""
         self.items = items or items_of(arrangement)
-        self._arrangement, self._own = arrangement, None
+        self.arrangement, self._own = arrangement, None
         if labels is not None and labels not in LABELS:
             self._own = self._read(labels)
             some = set(self._own.values()) - {None}
@@ -105,7 +106,7 @@ class RegionLabels:
 
     @cached_property
     def _numbers(self) -> dict[tuple[int, ...], int]:
-        return {face.signs: k + 1 for k, face in enumerate(self._arrangement.regions())}
+        return {face.signs: k + 1 for k, face in enumerate(self.arrangement.regions())}
 
     @property
     def numbers(self) -> dict[str, int]:
@@ -197,10 +198,17 @@ def thinner(count: int) -> float:
     return min(1.0, math.sqrt(_MANY / max(1, count)))
 
 
-def plane_names(members: Sequence[int], count: int | None = None) -> str:
-    """Return plane numbers counted from 1, runs of four and more shortened: ``1,2,5-9``."""
-    numbers = [k + 1 for k in members if count is None or k < count]
-    parts: list[str] = []
+def items_of(planes: Planes) -> str:
+    """Return what hyperplanes are called in their space."""
+    return {2: "lines", 3: "planes"}.get(planes.dimension, "hyperplanes")
+
+
+def plane_names(planes: Planes, members: Sequence[int], count: int | None = None) -> str:
+    """Return the names of planes, or else numbers from 1 on, runs of four and more as ``5-9``."""
+    own = planes.names
+    members = [k for k in members if count is None or k < count]
+    parts = [own[k] for k in members if own[k : k + 1] > ("",)]
+    numbers = [k + 1 for k in members if own[k : k + 1] <= ("",)]
     while numbers:
         run = 1
         while run < len(numbers) and numbers[run] == numbers[0] + run:
@@ -237,7 +245,10 @@ def names_on_paper(
             groups.append([k])
         else:
             group.append(k)
-    texts = [plane_names(sorted(i for k in own for i in classes[k]), count) for own in groups]
+    texts = [
+        plane_names(names.arrangement, sorted(i for k in own for i in classes[k]), count)
+        for own in groups
+    ]
     joint = [text for text, own in zip(texts, groups, strict=True) if text and len(own) > 1]
     names.joined = bool(joint)
     if joint:

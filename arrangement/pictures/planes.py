@@ -117,7 +117,7 @@ def cut_out(
     if flat := [k + 1 for k, row in enumerate(moved) if not any(row)]:
         raise InputError(f"plane {flat[0]} does not meet the section, to which it is parallel")
     offsets = [-scale * offset * dot(normal, row[:-1]) for row in given]
-    return Arrangement(moved, offsets), equation
+    return Arrangement(moved, offsets, names=arrangement.names), equation
 
 
 def _clear_normal(normals: list[IntegerVector], space: Arrangement) -> IntegerVector:
@@ -193,7 +193,7 @@ class PlanesSheet(SolidSheet):
         self.outline = self._outline()
         self.thinner = thinner(len(stage.arrangement.distinct))
         loose = [item.corners[:, :2] for item in lifted]
-        numbers = map(plane_names, stage.arrangement.distinct)
+        numbers = [plane_names(stage.arrangement, x) for x in stage.arrangement.distinct]
         margin = max(MARGIN, 10.0 + max((measure(text, 7.0)[0] for text in numbers), default=0.0))
         bounds = np.vstack([self.outline, axes.tips[:, :2]])
         parts = [(bounds, (margin, MARGIN)), *((corners, (3.0, 10.0)) for corners in loose)]
@@ -355,7 +355,7 @@ class PlanesSheet(SolidSheet):
             best = int(np.argmax(np.round(score, 6)))
             if self._covered(points[best : best + 1])[0]:
                 continue
-            text = plane_names(members)
+            text = plane_names(self.stage.arrangement, members)
             wanted.append((float(angles[best]), points[best], text, self.colour(label)))
         placed = spread([angle for angle, *_ in wanted], 0.13)
         for (_, point, text, colour), angle in zip(wanted, placed, strict=True):

@@ -6,11 +6,11 @@ dimension (a line in R^2, a hyperplane in R^5).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain, combinations
-from typing import TYPE_CHECKING, Any, NamedTuple, Self, overload
+from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeAlias, overload
 
 from arrangement.errors import InputError
 from arrangement.numbers import budget
@@ -50,6 +50,9 @@ if TYPE_CHECKING:
     from arrangement.numbers.fields import NumberField
 
 
+Names: TypeAlias = Iterable[str] | Mapping[int, str]
+#: Characters of the name of a plane.
+_LONGEST_NAME = 40
 #: Bits of a number that takes longer than others.
 _LONG_BITS = 1000
 
@@ -79,6 +82,8 @@ class Planes:
         dimension: d; needed only when there are no planes.
         axes: names of the coordinates where these mean something, as motions x, y, r do. A label:
             no comparison looks at it, but pictures keep such coordinates.
+        names: of the planes, in their order, "" for none; or by number, from 1 on. Labels, too:
+            pictures and files have them.
 
     Raises:
         InputError: a float, a zero normal (named by its number, from 1), or lengths that differ.
@@ -89,6 +94,7 @@ class Planes:
 
     dimension: int
     axes: tuple[str, ...]
+    names: tuple[str, ...]
     _integer_planes: tuple[IntegerVector, ...]
 
     def __init__(
@@ -98,6 +104,7 @@ class Planes:
         *,
         dimension: int | None = None,
         axes: Iterable[str] = (),
+        names: Names = (),
     ) -> None:
         given = _listed(normals)
         entries = sum(len(row) for row in given if isinstance(row, (list, tuple)))
@@ -128,7 +135,12 @@ class Planes:
             _check_digits(chain.from_iterable(rows))
         joined = [(*row, b) for row, b in zip(rows, constants, strict=True)]
         planes = tuple(all_reduced(joined if whole else list(map(without_denominators, joined))))
-        self.__dict__.update(dimension=d, axes=tuple(axes), _integer_planes=planes)
+        self.__dict__.update(
+            dimension=d,
+            axes=tuple(axes),
+            names=_checked_names(names, len(planes)),
+            _integer_planes=planes,
+        )
 
     @classmethod
     def from_equations(
@@ -182,8 +194,18 @@ class Planes:
 
     def __getstate__(self) -> dict[str, Any]:
         """Copies and pickles carry the planes, not what was computed from them."""
-        stored = ("dimension", "axes", "_integer_planes")
+        stored = ("dimension", "axes", "names", "_integer_planes")
         return {name: self.__dict__[name] for name in stored}
+
+    def named(self, names: Names) -> Self:
+        """Return the same planes with other names, as of `Planes`.
+
+        >>> Planes([[1, 0], [0, 1]]).named({2: "m"}).names
+        ('', 'm')
+        """
+        made = self.__copy__()
+        made.__dict__["names"] = _checked_names(names, len(self))
+        return made
 
     def __copy__(self) -> Self:
         made = object.__new__(type(self))
@@ -234,6 +256,7 @@ class Planes:
                 [plane[-1] for plane in chosen],
                 dimension=self.dimension,
                 axes=self.axes,
+                names=self.names[index],
             )
         *normal, offset = map(fraction, self._integer_planes[index])
         return Hyperplane(tuple(normal), offset)
@@ -372,7 +395,28 @@ class Planes:
             document["offsets"] = [written(plane[-1]) for plane in self._integer_planes]
         if not self._integer_planes:
             document["dimension"] = self.dimension
+        if self.names:
+            document["names"] = list(self.names)
         return document
+
+
+def _checked_names(names: Names, count: int) -> tuple[str, ...]:
+    """Return a name for each of some planes, "" for none; nothing if no plane has one."""
+    texts = (
+        dict(names) if isinstance(names, Mapping) else dict(enumerate(listed(names, "names"), 1))
+    )
+    if not isinstance(names, Mapping) and len(texts) not in (0, count):
+        raise InputError(f"there are {len(texts)} names and {count} planes; give one for each")
+    for number, text in texts.items():
+        if type(number) is not int or not 1 <= number <= count:
+            raise InputError(f"plane {shown(number)} has a name; there are planes 1 to {count}")
+        plain = isinstance(text, str) and text.isprintable() and not text.isdecimal()
+        if not plain or len(text) > _LONGEST_NAME:
+            raise InputError(
+                f"the name of plane {number} is {shown(text)}; give a text in one line of at most "
+                f"{_LONGEST_NAME} characters that is not a number"
+            )
+    return tuple(texts.get(k + 1, "") for k in range(count)) if any(texts.values()) else ()
 
 
 def _check_digits(numbers: Iterable[Any]) -> None:

@@ -300,6 +300,7 @@ PLANES = [["0", "1", "-1/2"], [1, 0, "-0.25"]]
 GOOD = [
     {"planes": PLANES},
     {"planes": PLANES, "offsets": ["1/3", 2]},
+    {"planes": PLANES, "names": ["ell", ""]},
     {"planes": [], "dimension": 3, "description": "none"},
     {"polygon": [["0", 0], [1, 0], [0, "1/2"]], "description": "a triangle"},
     {"segments": [[["0", 0], [1, "1/2"]]], "description": "one"},
@@ -308,6 +309,9 @@ GOOD = [
 BAD = [
     {"planes": PLANES, "schema_version": 2},
     {"planes": PLANES, "colour": "red"},
+    {"planes": PLANES, "names": "ell"},
+    {"planes": PLANES, "names": ["ell", 2]},
+    {"polygon": [["0", 0], [1, 0], [0, 1]], "names": []},
     {"planes": "0"},
     {"planes": [[]]},
     {"planes": [["1", "x"]]},

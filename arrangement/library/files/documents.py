@@ -4,9 +4,10 @@ An arrangement::
 
     {"schema_version": 1, "planes": [["0", "1", "-1"], ["1", "0", "0"]], "offsets": ["0", "2"]}
 
-with optional ``offsets``, ``dimension`` (needed only when there are no planes) and
-``description``. Irrational entries are in a ``field``, and are lists of the coefficients of the
-powers 1, a, a^2, ... of the root that it names (here the golden ratio)::
+with optional ``offsets``, ``dimension`` (needed only when there are no planes), ``names`` (one for
+each plane, "" for none) and ``description``. Irrational entries are in a ``field``, and are lists
+of the coefficients of the powers 1, a, a^2, ... of the root that it names (here the golden
+ratio)::
 
     {"schema_version": 1, "planes": [["1", ["0", "1"]]],
      "field": {"minimal_polynomial": ["-1", "-1", "1"], "interval": ["1", "2"]}}
@@ -49,7 +50,7 @@ if TYPE_CHECKING:
 
 _Read: TypeAlias = Callable[[Mapping[str, Any]], Arrangement | Segments]
 #: Of a document of the kind "planes"; the first two are needed.
-KEYS = ("schema_version", "planes", "offsets", "dimension", "description", "field")
+KEYS = ("schema_version", "planes", "offsets", "dimension", "names", "description", "field")
 
 
 def arrangement_of(document: Any, name: str) -> Arrangement:
@@ -84,11 +85,12 @@ def _planes(document: Mapping[str, Any]) -> Arrangement:
         [numbers(row, f"planes[{i}]") for i, row in enumerate(planes)],
         numbers(document["offsets"], "offsets") if "offsets" in document else None,
         dimension=_dimension(document["dimension"]) if "dimension" in document else None,
+        names=check_list(document.get("names", []), "names"),
     )
 
 
 def _polygon(document: Mapping[str, Any]) -> Arrangement:
-    check_keys(document, ("schema_version", "polygon"), KEYS[4:], "the polygon")
+    check_keys(document, ("schema_version", "polygon"), KEYS[5:], "the polygon")
     numbers = _reader(document)
     corners = check_list(document["polygon"], "polygon")
     sides = convex_polygon([numbers(p, f"polygon[{i}]") for i, p in enumerate(corners)])
@@ -96,7 +98,7 @@ def _polygon(document: Mapping[str, Any]) -> Arrangement:
 
 
 def _segments(document: Mapping[str, Any]) -> Segments:
-    check_keys(document, ("schema_version", "segments"), KEYS[4:], "the segments")
+    check_keys(document, ("schema_version", "segments"), KEYS[5:], "the segments")
     numbers = _reader(document)
     pairs = check_list(document["segments"], "segments")
     return Segments(

@@ -35,6 +35,7 @@ from arrangement.pictures.coordinates import (
     symmetric_map,
 )
 from arrangement.pictures.globe import Globe, clear_direction
+from arrangement.pictures.looks import ColoursOption, looks_of_classes, read_looks
 from arrangement.pictures.names import generator_text
 
 _OWN = "arrangement.pictures.lab"
@@ -57,6 +58,7 @@ def arrangement_page(
     colour: str | None = None,
     camera: Vector | None = None,
     coordinates: str | None = None,
+    colours: ColoursOption | None = None,
 ) -> str:
     """Build a self-contained HTML page for central planes in R^3.
 
@@ -73,6 +75,7 @@ def arrangement_page(
         coordinates: at first: "given"; "symmetric", after a linear map that shows the symmetry of
             the planes; "even", after one that spreads the normals evenly. If omitted, symmetric
             where that differs, but for planes of motions, and even where they are nearly parallel.
+        colours: of single planes, as for `draw_sphere`; a page has no dashes.
 
     Raises:
         InputError: another space, planes off the origin, too many planes, unknown colouring.
@@ -80,6 +83,8 @@ def arrangement_page(
     if colour is not None and colour not in COLOURINGS:
         raise refusal(f"the colouring is {shown(colour)}", colour, COLOURINGS)
     summary = _summary(arrangement)
+    looks = looks_of_classes(arrangement, read_looks(colours or {}, arrangement))
+    tints = {k: look.colour for k, look in looks.items() if look.colour}
     arrangement = in_view_space(arrangement, "arrangement", RANKS["sphere"])
     budget.check_size(len(arrangement.distinct), "great circles on a page")
     if coordinates is not None and coordinates not in CHOICES:
@@ -95,6 +100,8 @@ def arrangement_page(
         "axes": floats(globe.axes, _DIGITS),
         "even": _shaped(globe, arrangement, coordinates, camera),
         "planes": document["planes"],
+        "names": arrangement.names or None,
+        "tints": tints,
         "field": document.get("field"),
     }
     return one_page(

@@ -1,15 +1,16 @@
 // What cells are called, and how they are coloured. A page defines: state, with dimension, rows, colour, and whether
 // opposite cells are one (projective); shown(), with the arrangement that the views show; whole(), that of all rows.
 
-// The numbers of the planes of a circle.
-const names = ({ members, numbers }, i) => members[i].map((k) => numbers[k] + 1).join(",");
+// The name of a plane, or its number from 1 on; and those of the planes of a circle.
+const planeName = (k) => data.names?.[k] || String(k + 1);
+const names = ({ members, numbers }, i) => members[i].map((k) => planeName(numbers[k])).join(",");
 
 // Colours stay when planes go.
 function lineColour(arrangement, i) {
   arrangement.tints ??= arrangement.members.map(([first]) => {
     if (first === undefined) return "var(--soft)"; // the line at infinity
     const k = whole().members.findIndex((list) => list.includes(arrangement.numbers[first]));
-    return `oklch(calc(var(--line-l) + ${[0, 0.08, -0.08][k % 3]}) 0.16 ${(40 + k * 137.508) % 360})`;
+    return data.tints?.[whole().members[k][0]] ?? `oklch(calc(var(--line-l) + ${[0, 0.08, -0.08][k % 3]}) 0.16 ${(40 + k * 137.508) % 360})`;
   });
   return arrangement.tints[i];
 }

@@ -37,7 +37,7 @@ function dualVertex({ normals, sides }, { key }) {
 }
 
 const planesThrough = ({ members, numbers, infinity }, on) =>
-  on.filter((i) => i !== infinity).map((i) => members[i].map((k) => numbers[k] + 1).join(" = ")).join(", ");
+  on.filter((i) => i !== infinity).map((i) => members[i].map((k) => planeName(numbers[k])).join(" = ")).join(", ");
 
 // What is said of a mark: a title, and names and texts of facts, which may be exact numbers; null if there is nothing.
 function told(mark) {

@@ -147,10 +147,10 @@ function listPlanes() {
     const label = make("label", {}, make("li", {}, at("planes")));
     label.style.setProperty("--tint", lineColour(all, circle));
     const box = make("input", { type: "checkbox", checked: "" }, label);
-    make("b", {}, label, String(k + 1));
+    make("b", {}, label, planeName(k));
     make("span", { class: "exact" }, label, equationText(row, (text) => text));
     const [first] = all.members[circle];
-    if (first !== k) make("span", { class: "also" }, label, `= ${first + 1}`);
+    if (first !== k) make("span", { class: "also" }, label, `= ${planeName(first)}`);
     box.addEventListener("change", () => switchPlanes(() => { state.on[k] = box.checked; }));
   });
 }

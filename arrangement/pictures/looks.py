@@ -1,0 +1,148 @@
+"""Single planes in a picture: names, colours, dashes, and what the legend says of them.
+
+Names are those of the planes (`Planes.names`), written where numbers are otherwise. Colours and
+dashes are given to the elements of a scene, which have the number of their plane in their name.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Annotated, Any, NamedTuple, TypeAlias
+
+from arrangement.console.options.signature import Syntax
+from arrangement.drawing.colours import hex_colour, readable
+from arrangement.drawing.scene import Item, Key, Label, Path, Scene
+from arrangement.errors import InputError, refusal
+from arrangement.numbers.exact import shown
+from arrangement.planes.planes import Names, Planes
+
+from .names import plane_names, stroke
+
+#: Names of planes, and colours of planes, by number or name, as a text or a mapping.
+NamesOption: TypeAlias = Annotated[str | Names, Syntax(metavar="1=NAME,...")]
+ColoursOption: TypeAlias = Annotated[str | Mapping[Any, str], Syntax(metavar="1=COLOUR,...")]
+
+#: Of lines; on paper in units of their width.
+DASHES: Mapping[str, Any] = {"solid": "-", "dashed": (0, (4, 2)), "dotted": (0, (1, 1.5))}
+#: Elements of a plane: lines and arcs, and edges of a dual across it; facets and arrows.
+_STROKE = re.compile(r"(?:line|back)-(\d+)|(?:front|limb|arc|edge)-(\d+)-\d+")
+_FILL = re.compile(r"facet-\d+-plane-(\d+)|side-(\d+)")
+
+
+class Look(NamedTuple):
+    """A colour ``#rrggbb``, or "" for the usual one, and a dash, or "" for the usual one."""
+
+    colour: str
+    dash: str
+
+
+def read_names(names: str | Names) -> Names:
+    """Return names by number, from a text such as ``1=ell,2=m``; others as they are."""
+    return (
+        {_number(k): text for k, text in _pairs(names, "names")}
+        if isinstance(names, str)
+        else names
+    )
+
+
+def read_looks(colours: str | Mapping[Any, str], planes: Planes) -> dict[int, Look]:
+    """Return looks by the number of a plane, from 0 on.
+
+    Args:
+        colours: as a text such as ``1=gold,m=#0af:dashed,3=:dotted``, or as a mapping; the keys are
+            numbers from 1 on, or names.
+
+    Raises:
+        InputError: no such plane, colour or dash.
+    """
+    pairs = _pairs(colours, "colours") if isinstance(colours, str) else dict(colours).items()
+    looks: dict[int, Look] = {}
+    for key, text in pairs:
+        colour, _, dash = str(text).partition(":")
+        if dash and dash not in DASHES:
+            raise refusal(f"the dash of {shown(key)} is {shown(dash)}", dash, DASHES)
+        look = Look(hex_colour(colour) if colour else "", dash)
+        if key in planes.names and key:
+            looks |= {k: look for k, name in enumerate(planes.names) if name == key}
+        elif 1 <= (number := _number(key)) <= len(planes):
+            looks[number - 1] = look
+        else:
+            raise InputError(f"{shown(key)} has a colour; there are planes 1 to {len(planes)}")
+    return looks
+
+
+def _pairs(text: str, what: str) -> list[tuple[str, str]]:
+    parts = [part.partition("=") for part in text.split(",")]
+    keys = {key.strip() for key, equals, _ in parts if equals and key.strip()}
+    if len(keys) < len(parts):
+        raise InputError(f"the {what} are {shown(text)}; give each plane once, as in 1=ell,2=m")
+    return [(key.strip(), value.strip()) for key, _, value in parts]
+
+
+def _number(key: Any) -> int:
+    if isinstance(key, int) or (isinstance(key, str) and key.isdecimal() and len(key) < 10):
+        return int(key)
+    raise InputError(f"{shown(key)} is not a plane; give its number from 1 on, or its name")
+
+
+def looks_of_classes(planes: Planes, looks: Mapping[int, Look]) -> dict[int, Look]:
+    """Return the looks of classes of coincident planes, by the first of their planes."""
+    firsts = planes.firsts
+    made = {firsts[planes.class_of[k]]: looks[k] for k in sorted(looks, reverse=True)}
+    return dict(sorted(made.items()))
+
+
+def give_looks(scene: Scene, planes: Planes, looks: Mapping[int, Look]) -> None:
+    """Give elements, names and the legend of a scene the looks of some planes.
+
+    Coincident planes are one element, with the look of the first one that has any.
+    """
+    own = looks_of_classes(planes, looks)
+    by_element = {k + 1: look for k, look in own.items()}
+    classes = {members[0]: plane_names(planes, members) for members in planes.distinct}
+    by_text = {classes[k]: look for k, look in own.items()}
+    scene.items[:] = [_restyled(item, by_element, by_text) for item in scene.items]
+    legend = scene.legend
+    legend.keys[:] = [
+        Key([_stroked(x, by_text[key.text]) for x in key.symbol], key.width, key.text)
+        if key.text in by_text and all(isinstance(x, Path) for x in key.symbol)
+        else key
+        for key in legend.keys
+    ]
+    known = {key.text for key in legend.keys}
+    for text, (colour, dash) in by_text.items():
+        if text not in known:
+            style = {"ec": colour or "black", "ls": DASHES[dash or "solid"], "lw": 1.2}
+            legend.key(stroke(**style), text)
+
+
+def _restyled(item: Item, by_element: Mapping[int, Look], by_text: Mapping[str, Look]) -> Item:
+    if isinstance(item, Label):
+        look = by_text.get(item.text) if item.style.get("style") == "italic" else None
+        if look is None or not look.colour:
+            return item
+        if plate := item.style.get("plate"):
+            return replace(item, style={**item.style, "plate": {**plate, "fc": look.colour}})
+        return replace(item, style={**item.style, "color": readable(look.colour)})
+    for pattern, restyle in ((_STROKE, _stroked), (_FILL, _filled)):
+        found = pattern.fullmatch(item.name)
+        if found and (look := by_element.get(int(next(filter(None, found.groups()))))):
+            return restyle(item, look)
+    return item
+
+
+def _stroked(item: Item, look: Look) -> Item:
+    """Return a line with a look; what is hidden stays dashed."""
+    style = dict(item.style)
+    if look.colour:
+        style["ec"] = look.colour
+    if look.dash and item.role != "hidden":
+        style["ls"] = DASHES[look.dash]
+        style["capstyle"] = "butt"
+    return replace(item, style=style)
+
+
+def _filled(item: Item, look: Look) -> Item:
+    return replace(item, style={**item.style, "fc": look.colour}) if look.colour else item
