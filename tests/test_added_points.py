@@ -12,6 +12,7 @@ from arrangement.drawing.layout import laid_out
 from arrangement.drawing.scene import Item, Mark
 from arrangement.library.families import generic, shi
 from arrangement.pictures import compose
+from arrangement.pictures.dual import unit_lengths
 from equilibrium import Contact, Grasp, read_grasp, solve
 from equilibrium.grasps.textbook import wedge
 from equilibrium.pictures import draw_assembly
@@ -152,6 +153,56 @@ def test_points_of_the_sphere_are_on_the_circles_of_their_planes(view, coordinat
             seen += 1
             assert max(gaps) < 0.5, (point, gaps)
     assert seen >= 6
+
+
+def corners(figure: Any, kind: str) -> np.ndarray[Any, Any]:
+    """Return the corners of all elements of a kind, in points."""
+    found = [x.points for x in laid_out(figure.scene).items if x.name.startswith(kind)]
+    return np.vstack(found)
+
+
+SIMPLEX = Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], [0, 0, 0, 1])
+VERTICES = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+
+
+def test_vertices_of_planes_are_corners_of_facets():
+    drawn = corners(figure := SIMPLEX.draw("planes"), "facet-")
+    for vertex in VERTICES:
+        gaps = np.linalg.norm(drawn - figure.to_page(vertex), axis=1)
+        assert gaps.min() < 0.05
+    assert np.linalg.norm(drawn - figure.to_page(("1/2", "1/3", "1/5")), axis=1).min() > 1
+
+
+@pytest.mark.parametrize("explode", [1, 1.5, 3])
+def test_points_of_cells_move_with_their_cell(explode):
+    figure = SIMPLEX.draw("cells", explode=explode, labels="none")
+    other = (2, 2, 2)
+    seen = 0
+    for face in SIMPLEX.regions():
+        name = "cell-" + "".join("0+-"[sign] for sign in face.signs)
+        items = [x for x in laid_out(figure.scene).items if x.name.startswith(name)]
+        for vertex in VERTICES if items else ():
+            if face.contains(vertex, closed=True):
+                inside = [
+                    Fraction(999, 1000) * x + Fraction(1, 1000) * y
+                    for x, y in zip(vertex, face.witness, strict=True)
+                ]
+                gaps = np.linalg.norm(corners(figure, name) - figure.to_page(inside), axis=1)
+                seen += gaps.min() < 0.5
+    assert figure.to_page(other) != figure.to_page((-2, -2, -2))
+    assert seen >= 8
+
+
+def test_vertices_of_the_dual_are_where_they_are_drawn():
+    planes = generic(4, 3)
+    figure = planes.draw("dual", coordinates="given")
+    dual = planes.dual(unit_lengths(planes))
+    for signs, vertex in zip(dual.signs.tolist(), dual.vertices, strict=True):
+        number = figure.scene.numbers["".join("0+-"[sign] for sign in signs)]
+        middle: Any = item(figure, f"vertex-{number}")
+        assert np.allclose(figure.to_page(vertex, 2), middle.points, atol=0.01)
+    ray = np.cross(*np.array(planes.normals, float)[:2])
+    assert np.isfinite(figure.to_page(ray)).all()
 
 
 def test_lines_in_other_coordinates_have_places():

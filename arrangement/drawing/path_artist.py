@@ -366,8 +366,9 @@ class Drawing(Figure):
         """Return where a point of the model is, in the coordinates of ``axes[panel - 1]``.
 
         In views that show a plane to scale, such as lines, grasp, resist and slice, the axes have
-        the coordinates of the model, and this is the point itself. In views of a sphere a point is
-        its direction from the origin, in space it has three coordinates.
+        the coordinates of the model, and this is the point itself. In space it has three
+        coordinates: in views of a sphere they are a direction from the origin, cells are moved
+        apart, and in the second panel of dual they are those of the polyhedron as it is drawn.
 
         Args:
             point: in the coordinates of the planes, of the grasp, or of the wrenches.

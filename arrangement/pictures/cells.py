@@ -15,7 +15,7 @@ from arrangement.console.number_form import EXACT, LABEL, counted
 from arrangement.console.progress import note
 from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, painter, pale, plane_colour
 from arrangement.drawing.pages import PageFace, SolidPage
-from arrangement.drawing.scene import Floats, Scene, millimetres
+from arrangement.drawing.scene import Floats, PageMap, Scene, millimetres
 from arrangement.drawing.solids.depth_tree import plane_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, triangles
 from arrangement.drawing.solids.sight import picture_axes, turned, view_direction
@@ -25,7 +25,13 @@ from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown, sign_text
 from arrangement.numbers.linear.rank import cycle_edges
-from arrangement.pictures.coordinates import caption, in_coordinates, in_view_space, planes_view
+from arrangement.pictures.coordinates import (
+    caption,
+    in_coordinates,
+    in_view_space,
+    planes_view,
+    point_map,
+)
 from arrangement.pictures.names import Labels, RegionLabels, equation, generator_text, plane_names
 from arrangement.pictures.planes import PlanesSheet
 from arrangement.pictures.stage import (
@@ -80,6 +86,7 @@ def draw_cells(
     """
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
+    moved = point_map(coordinates, arrangement)
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     cells = _cells(arrangement, body, centre, radius, explode)
     towards = clear_sight(cells) if camera is None else view_direction(camera)
@@ -97,6 +104,13 @@ def draw_cells(
     names.explain(legend, signs)
     if left and names.requested:
         note(f"{left} of {len(lifted)} cells are hidden or too narrow for a label")
+    shifts = {item.cell.signs: item.shift for item in lifted}
+
+    def place(point: Floats) -> Floats:
+        seen = stage.seen(moved(point))
+        return sheet.place(seen + shifts[stage.cell_of(seen).signs])
+
+    sheet.scene.maps.append(PageMap(place=place, size=3))
     return sheet.scene
 
 

@@ -15,7 +15,7 @@ from arrangement.console.progress import note
 from arrangement.counts import region_count
 from arrangement.drawing.colours import BLUE, VERMILION, Choice, Painter, letter_colour, side_colour
 from arrangement.drawing.labels import SIZES, across, beside, keep_off, tried, write_if_free
-from arrangement.drawing.scene import Box, Floats, Scene, millimetres, ring
+from arrangement.drawing.scene import Box, Floats, PageMap, Scene, millimetres, ring
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.sight import face_normal, lit, unit, unit_vectors
 from arrangement.drawing.views import Vector
@@ -31,6 +31,7 @@ from arrangement.pictures.coordinates import (
     in_coordinates,
     in_view_space,
     planes_view,
+    point_map,
     symmetry,
 )
 from arrangement.pictures.globe import (
@@ -276,6 +277,7 @@ def draw_dual(
     if coordinates is None and hull:
         coordinates = "given"
     names = RegionLabels(arrangement, labels, items="circles")
+    moved = point_map(coordinates, arrangement)
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera)
     if camera is None and not hull:
@@ -315,6 +317,8 @@ def draw_dual(
     fills = [colours.paint(by_signs[signs]) for signs in solid.signs]
     picture = _SolidPanel(scene, globe, solid, fills, names, hull)
     picture.draw(second, radius if hull else size / 2 - 19.0, size / 2)
+    disc.map_points(moved)
+    scene.maps.append(PageMap(picture.scale, second, place=lambda p: (globe.axes @ p)[:2], size=3))
     explain_regions(scene, colours, names, globe.regions)
     if hull:
         kinds = [min(c, 0) for _, _, c in solid.edges]
@@ -366,7 +370,8 @@ class _SolidPanel:
         """Draw into the square around `centre` with sides of twice `half`."""
         solid, scene = self.solid, self.scene
         largest = 1.0 if self.hull else float(np.linalg.norm(solid.places, axis=1).max())
-        self.places = np.array(centre) + solid.places * (radius / max(largest, 1e-9))
+        self.scale = radius / max(largest, 1e-9)
+        self.places = np.array(centre) + solid.places * self.scale
         self.limb: list[Floats] = []
         if self.hull:
             scene.circle(centre, radius, fill=False, ec="0.6", lw=0.4, zorder=1, gid="limb")

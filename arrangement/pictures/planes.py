@@ -26,7 +26,7 @@ from arrangement.drawing.labels import (
     turn,
     write_if_free,
 )
-from arrangement.drawing.scene import Floats, Scene, area, arrow, measure
+from arrangement.drawing.scene import Floats, PageMap, Scene, area, arrow, measure
 from arrangement.drawing.solids.depth_tree import SolidSheet
 from arrangement.drawing.solids.sight import light, lit, turned, unit, unit_vectors, view_direction
 from arrangement.drawing.solids.surface import Patch
@@ -48,6 +48,7 @@ from arrangement.pictures.coordinates import (
     inverse_root,
     mapped,
     planes_view,
+    point_map,
     rounded_map,
 )
 from arrangement.pictures.names import Labels, RegionLabels, equation, plane_names, thinner
@@ -515,6 +516,7 @@ def draw_planes(
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
     shown, coordinates = drawn_axes(arrangement, axes, coordinates)
+    moved = point_map(coordinates, arrangement)
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     toward = None if camera is None else view_direction(camera)
     cells = cut_cells(arrangement, body, centre, radius)
@@ -529,6 +531,7 @@ def draw_planes(
     sheet.name_axes()
     sheet.name_cells(names)
     names.explain(sheet.scene.legend, raised)
+    sheet.scene.maps.append(PageMap(place=lambda p: sheet.place(stage.seen(moved(p))), size=3))
     return sheet.scene
 
 
@@ -575,6 +578,7 @@ def draw_section(
         width=width,
         coordinates="given",
     )
+    scene.maps.clear()  # a point of R^4 has no place
     cut = equation(tuple(normal), offset).replace("-", "\u2212")
     scene.legend.captions.append(f"section by {cut}")
     if text := caption(arrangement, 4):

@@ -88,6 +88,22 @@ class Stage:
         """The arrangement."""
         return self.cells.arrangement
 
+    def seen(self, point: Floats) -> Floats:
+        """Return a point of R^3 in the axes of the picture, where the body has its place."""
+        body = self.cells.body
+        centre = np.array([float(x) for x in body.centre])
+        placed: Floats = self.axes @ (point - centre) / float(body.radius)
+        return placed
+
+    def cell_of(self, place: Floats) -> Cell:
+        """Return the cell that a point in the axes of the picture is in, or on the boundary of."""
+        sides = [float(normal @ place) - offset for normal, offset in self.planes]
+
+        def inside(cell: Cell) -> float:
+            return min((x * s for x, s in zip(sides, cell.sides, strict=True)), default=0.0)
+
+        return max(self.cells.cells, key=inside)
+
     @cached_property
     def facets(self) -> tuple[Facet, ...]:
         """All facets, back to front."""
