@@ -871,3 +871,14 @@ def test_kinds_of_fonts_are_those_of_matplotlib():
     assert font_settings("serif")["font.family"][0] == "DejaVu Serif"
     assert font_settings("Sans-serif")["font.family"][0] == "DejaVu Sans"
     assert font_settings("mono")["font.family"][0] == "DejaVu Sans Mono"
+
+
+def test_panels_of_several_views_have_one_size():
+    made = laid_out(read_arrangement("braid-a3").draw("sphere,dual,graph,lattice").scene)
+    assert made.height < 1.3 * made.width
+    names = {item.name for item in made.items}
+    assert {"panel-1-region-2", "panel-2-vertex-2", "panel-3-vertex-2"} <= names
+    assert not [name for name in names if name.startswith("panel-2-region")]
+    tall = read_arrangement("braid-a3").draw("dual", width=88.0)
+    assert [x for x in tall.scene.items if x.name.startswith("region-")]
+    assert tall.scene.height == pytest.approx(2 * tall.scene.width, rel=0.01)

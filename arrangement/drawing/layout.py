@@ -131,7 +131,8 @@ def composed(
         i, j = divmod(k, columns)
         panel.items = [replace(x, name=x.name and f"panel-{k + 1}-{x.name}") for x in panel.items]
         top = sheet.height - tops[i] - above
-        sheet.place(panel, lefts[j] + (wide[j] - panel.width) / 2, top - panel.height)
+        lower = (high[i] - above - panel.height) / 2  # beside a higher one
+        sheet.place(panel, lefts[j] + (wide[j] - panel.width) / 2, top - lower - panel.height)
         at = (lefts[j] + 2.0, top + above / 2)
         for title in names[k : k + 1]:
             sheet.text(at, title, ha="left", weight="bold", gid=f"panel-{k + 1}", role="label")

@@ -368,7 +368,7 @@ class Drawing(Figure):
         In views that show a plane to scale, such as lines, grasp, resist and slice, the axes have
         the coordinates of the model, and this is the point itself. In space it has three
         coordinates: in views of a sphere they are a direction from the origin, cells are moved
-        apart, and in the second panel of dual they are those of the polyhedron as it is drawn.
+        apart, and in the last panel of dual they are those of the polyhedron as it is drawn.
 
         Args:
             point: in the coordinates of the planes, of the grasp, or of the wrenches.

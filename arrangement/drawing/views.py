@@ -13,7 +13,7 @@ import inspect
 import os
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ParamSpec, Protocol, TypeAlias, overload
@@ -298,10 +298,12 @@ class ViewEntry:
     Attributes:
         place: of the function, ``module:function`` below the package.
         shows: whether it can show a subject.
+        in_panels: options that it has by default as one of several panels.
     """
 
     place: str
     shows: Callable[[Any], bool] = lambda _: True
+    in_panels: Mapping[str, Any] = field(default_factory=dict)
 
 
 def able_to_show(views: Mapping[str, ViewEntry], subject: Any) -> dict[str, ViewEntry]:
@@ -477,7 +479,8 @@ class Drawings:
         for part in names:
             own = self.options("view", part).keys() & options.keys()
             view = self.function("view", part)
-            parts.append(view.scene(subject, **{key: options[key] for key in own}))
+            given = {key: options[key] for key in own}
+            parts.append(view.scene(subject, **{**self.views[part].in_panels, **given}))
         return composed(parts, count)
 
     @_within_floats()

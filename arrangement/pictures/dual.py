@@ -243,6 +243,7 @@ def draw_dual(
     labels: Labels | None = None,
     width: float = 180.0,
     hull: bool = False,
+    sphere: bool = True,
     coordinates: str | None = None,
 ) -> Scene:
     """Draw the dual polyhedron of central planes beside the great circles in R^3.
@@ -268,6 +269,7 @@ def draw_dual(
         azimuth, colour, labels: as for `draw_sphere`.
         width: of the figure, in millimetres; below 120 the panels stand one above the other.
         hull: draw the hull of representatives.
+        sphere: draw the sphere, too; if omitted, yes, but for one of several views in panels.
         coordinates: as for `draw_sphere`; for the hull "given" if omitted.
 
     Raises:
@@ -295,29 +297,24 @@ def draw_dual(
         )
     else:
         solid, points = dual_solid(arrangement, globe.direction, globe.axes), None
-    beside = width >= SIDE_BY_SIDE
+    beside = sphere and width >= SIDE_BY_SIDE
     panel = width / 2 if beside else width
-    scene = Scene(width, panel * (1 if beside else 2))
+    scene = Scene(width, panel * (2 if sphere and not beside else 1))
     size = scene.width / 2 if beside else scene.width
-    first = (size / 2, scene.height - size / 2)
-    second = (size * 1.5, first[1]) if beside else (size / 2, first[1] - size)
+    first = second = (size / 2, scene.height - size / 2)
+    if sphere:
+        second = (size * 1.5, first[1]) if beside else (size / 2, first[1] - size)
     radius = size / 2 - rim_width(scene, globe, names)
-    disc = Disc(
-        scene,
-        first,
-        radius,
-        globe,
-        front(globe, orthographic),
-        names,
-        None if hull else letter_colour,
-        True,
-    )
-    _sphere(disc, colours.paint, points, (0.0, first[1] - size / 2, size, scene.height))
+    if sphere:
+        ink = None if hull else letter_colour
+        seen = front(globe, orthographic)
+        disc = Disc(scene, first, radius, globe, seen, names, ink, True)
+        _sphere(disc, colours.paint, points, (0.0, first[1] - size / 2, size, scene.height))
+        disc.map_points(moved)
     by_signs = {region.signs: region for region in globe.regions}
     fills = [colours.paint(by_signs[signs]) for signs in solid.signs]
     picture = _SolidPanel(scene, globe, solid, fills, names, hull)
     picture.draw(second, radius if hull else size / 2 - 19.0, size / 2)
-    disc.map_points(moved)
     scene.maps.append(PageMap(picture.scale, second, place=lambda p: (globe.axes @ p)[:2], size=3))
     explain_regions(scene, colours, names, globe.regions)
     if hull:

@@ -27,6 +27,8 @@ VIEWS = {
     "poset": "graph:draw_poset",
     "lattice": "lattice:draw_lattice",
 }
+#: The sphere has a panel of its own there, or is not wanted.
+IN_PANELS = {"dual": {"sphere": False}}
 MODELS = {
     "dual": ViewEntry("dual:dual_model", DUAL_MODEL),
     "cells": ViewEntry("cells:cells_model", RANKS["cells"]),
@@ -55,7 +57,7 @@ def best_first(views: Mapping[str, ViewEntry], planes: Planes) -> dict[str, View
 
 DRAWINGS = Drawings(
     "arrangement.pictures",
-    {name: ViewEntry(place, RANKS[name]) for name, place in VIEWS.items()},
+    {name: ViewEntry(place, RANKS[name], IN_PANELS.get(name, {})) for name, place in VIEWS.items()},
     MODELS,
     PAGES,
     best_first,

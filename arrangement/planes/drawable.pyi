@@ -109,6 +109,7 @@ class DrawableArrangement:
         labels: str | Mapping[Any, str] | Iterable[Any] | None = ...,
         width: float = ...,
         hull: bool = ...,
+        sphere: bool = ...,
         coordinates: str | None = ...,
         ax: Room | None = ...,
     ) -> Drawing: ...
@@ -186,6 +187,7 @@ class DrawableArrangement:
         inside: Any | None = ...,
         whole: bool | None = ...,
         hull: bool = ...,
+        sphere: bool = ...,
         section: Iterable[Any] | None = ...,
         bottom: str | None = ...,
         ax: Room | None = ...,
