@@ -132,6 +132,8 @@ def is_family(text: str) -> bool:
 def read_family(text: str) -> Family:
     """Read a family such as ``catalan(n=2..8)``, ``coxeter(type=E6)`` or ``generic(m=3,5,8, d=4)``.
 
+    A parameter that is true or false may stand alone: ``discriminantal(n=3..5, d=2, affine)``.
+
     Raises:
         UnknownDomainError: no family has this name.
         OwnClaimError: it is written in another way, or `family` refuses it.
@@ -140,9 +142,14 @@ def read_family(text: str) -> Family:
     if found is None:
         raise OwnClaimError(f"{shown(text)} is not a family; write one as catalan(n=2..8)")
     values: dict[str, list[str]] = {}
+    made = FAMILIES.get(found[1].replace("_", "-"))
+    usable = inspect.signature(made).parameters if made else {}
+    flags = {key for key, parameter in usable.items() if parameter.default is False}
     for part in (found[2] or "").split(",") if (found[2] or "").strip() else ():
         key, equals, value = (x.strip() for x in part.rpartition("="))
-        if equals and re.fullmatch(r"[a-z]\w*", key, re.ASCII) and key not in values:
+        if part.strip() in flags and part.strip() not in values:
+            values[part.strip()] = ["true"]
+        elif equals and re.fullmatch(r"[a-z]\w*", key, re.ASCII) and key not in values:
             values[key] = [value]
         elif not equals and values:
             values[next(reversed(values))].append(value)  # of a list, or of edges such as 1-2,2-3
@@ -159,7 +166,7 @@ def _read(parts: list[str]) -> Any:
             raise OwnClaimError(f"{','.join(parts)} has more than {MOST_MEMBERS:,} values")
         return [x for low, high in bounds for x in range(low, high + 1)]
     if all(part[:1].isalpha() for part in parts):
-        return [{"true": True, "false": False}.get(part, part) for part in parts]
+        return [{"true": True, "false": False}.get(part.lower(), part) for part in parts]
     return ",".join(parts)  # edges
 
 

@@ -56,7 +56,7 @@ DEFAULT_DOMAIN = "distinct"
 
 
 def claim(
-    statement: str,
+    statement: str = "",
     *,
     of: str | Family | Iterable[Any] = DEFAULT_DOMAIN,
     routes: Iterable[Callable[[Any], Any]] = (),
@@ -74,7 +74,7 @@ def claim(
     """Make a claim of a function that gets an instance and returns True or a reason.
 
     Args:
-        statement: in words.
+        statement: in words; a claim without one is refused.
         of: a domain of `instances.domains` ("distinct", "simple", "central", "affine(d=2)", ...,
             "grasp"), or "dual" for the dual polyhedra of different planes of rank 3; or a `family`
             or its text, such as "catalan(n=2..8)"; or a list of instances of any kind, or a mapping
@@ -145,7 +145,9 @@ def claim(
 
 def _check(statement: str, samples: int, expected: str | None) -> None:
     if not isinstance(statement, str) or not statement.strip():
-        raise OwnClaimError('a claim needs a statement in words: @claim("...")')
+        raise OwnClaimError(
+            'a claim needs a statement in words, as its first argument: @claim("...")'
+        )
     if type(samples) is not int or samples < 0:
         raise OwnClaimError(f"samples is {samples!r}; give an integer, at least 0")
     if expected not in (None, ClaimVerdict.HOLDS.value, ClaimVerdict.REFUTED.value):

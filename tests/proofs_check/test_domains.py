@@ -28,6 +28,8 @@ ROOT = Path(__file__).parents[2]
         ("catalan(n=2..4)", family("catalan", n=range(2, 5))),
         ("random-integer( m=3..5 , seed=0,1 )", family("random_integer", m=[3, 4, 5], seed=[0, 1])),
         ("generic(m=3,5, affine=true)", family("generic", m=(3, 5), affine=True)),
+        ("generic(m=3,5, affine)", family("generic", m=(3, 5), affine=True)),
+        ("generic(m=3,5, affine=False)", family("generic", m=(3, 5), affine=False)),
         ("linial(type=B2,A3)", family("linial", type=["B2", "A3"])),
         ("graphical(graph=1-2,2-3)", family("graphical", graph="1-2,2-3")),
         ("h3", family("h3")),
@@ -37,6 +39,7 @@ def test_a_family_as_text_is_that_of_python(text, made):
     read = read_family(text)
     assert str(read) == str(made) == str(read_family(str(made)))
     assert [case.label for case in read.cases()] == [case.label for case in made.cases()]
+    assert [x.subject.planes for x in read.cases()] == [x.subject.planes for x in made.cases()]
     assert len([*read.cases()]) == len(read)
 
 

@@ -16,7 +16,7 @@ from arrangement import Arrangement, read_arrangement
 from arrangement.console import progress
 from arrangement.library.census import census, identify
 from equilibrium.grasps.inputs.documents import read_grasp
-from proofs_check import ClaimVerdict, claim, evaluate
+from proofs_check import ClaimError, ClaimVerdict, claim, evaluate
 from proofs_check.cli.program import EXAMPLES, main
 from proofs_check.instances.arrangements import line_cases
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
@@ -489,3 +489,8 @@ def test_a_claim_in_one_line_has_its_formula_where_there_is_one(text, formula):
     assert formula_of(read(text, ["n"])) == formula
     if "n" not in text:
         assert one_line_claim(text).formula == formula
+
+
+def test_claim_without_a_statement_is_refused():
+    with pytest.raises(ClaimError, match="needs a statement in words, as its first argument"):
+        claim(of="lines")(lambda planes: True)
