@@ -159,6 +159,15 @@ def _parser() -> Parser:
         "quantity", metavar="QUANTITY", help="such as regions or f_vector[1]; or FILE.py:ID"
     )
     fitted.add_argument("--of", metavar="FAMILY", help="such as 'generic(m=2..9)'")
+    _add_extreme(
+        command(
+            "extreme",
+            "extreme.run_extreme",
+            "print the largest or smallest value of a quantity, with an example of each",
+            "values found",
+            "no class satisfies the hypothesis",
+        )
+    )
     _add_sweep(
         command(
             "sweep",
@@ -274,6 +283,29 @@ def _add_save(parser: argparse._ActionsContainer) -> None:
         "--save",
         metavar="FOLDER",
         help="write the instances that refute a claim here (default: none is written)",
+    )
+
+
+def _add_extreme(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "quantity", metavar="QUANTITY", help="such as regions, or t_vector.get(2, 0)"
+    )
+    parser.add_argument(
+        "--of", required=True, metavar="DOMAIN", help="such as lines, simple-lines, or rank-3"
+    )
+    parser.add_argument(
+        "--classes",
+        type=_range,
+        required=True,
+        metavar="LOW..HIGH",
+        help="every isomorphism class of that many lines or planes",
+    )
+    way = parser.add_mutually_exclusive_group()
+    way.add_argument("--largest", action="store_true", help="(default)")
+    way.add_argument("--smallest", action="store_true", help="the smallest value instead")
+    parser.add_argument("--when", metavar="CONDITION", help="only classes of which it is true")
+    parser.add_argument(
+        "--save", metavar="FOLDER", help="write an example of each value here, to draw or count"
     )
 
 
