@@ -89,6 +89,7 @@ attach(
     {
         "Assembly.from_polygons": "equilibrium.grasps.inputs.touching:touching_polygons",
         "Grasp.save": "equilibrium.grasps.inputs.csv_file:table_text",
+        "CheckedGrasps.closure_friction": "equilibrium.methods.closure_friction:closure_frictions",
         "Grasp.draw": "equilibrium.pictures.views:DRAWINGS",
         "Grasp.lab": "equilibrium.pictures.lab.page:lab_in_notebook",
         "Grasp._repr_svg_": "equilibrium.pictures.notebook:grasp_svg",

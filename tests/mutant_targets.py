@@ -332,6 +332,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.methods.springs",
     ),
     ("tests/equilibrium/test_force_closure.py", "tests/equilibrium/test_methods.py"): (
+        "equilibrium.methods.closure_friction",
         "equilibrium.methods.force_closure",
         "equilibrium.methods.round_cones",
         "equilibrium.methods.closure_search",

@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.number_form import counted, number, vector
+from arrangement.console.number_form import bracket, counted, number, vector
 from arrangement.console.progress import shown
 from arrangement.errors import OutOfReachError
 from equilibrium.model.contact import contact_entry, contact_words, pyramid_words
@@ -31,12 +31,15 @@ from .arguments import (
 from .goes_with import ASSEMBLY, DESCRIPTION, REPORT, check_options
 
 if TYPE_CHECKING:
+    from equilibrium.methods.closure_friction import ClosureFriction
     from equilibrium.methods.force_closure import ForceClosure
     from equilibrium.model.grasp import Grasp
 
 _WORDS = {True: "yes", False: "no", None: "undecided"}
 #: Contacts of a grasp that are printed; more are only counted.
 _MOST_CONTACTS = 20
+#: Contacts up to which the least friction for closure is bracketed; more take longer.
+_MOST_WITH_LEAST_FRICTION = 40
 
 
 def add_command_info(commands: Any) -> None:
@@ -158,8 +161,22 @@ def _closure_line(grasp: Grasp, closed: ForceClosure) -> str:
     return f"force closure    {_WORDS[closed.accepts]}{about}"
 
 
+def _friction_line(least: ClosureFriction) -> str:
+    """Return the least uniform friction for closure."""
+    if least.low is None:
+        return "least friction   none is enough (the same at all contacts), proved"
+    if least.high is None:
+        return f"least friction   above {number(least.low)}, proved; undecided from there on"
+    if least.high == 0:
+        return "least friction   0, proved"
+    return (
+        f"least friction   {bracket(least.low, least.high)} (the same at all contacts), both proved"
+    )
+
+
 def _force_closure(arguments: argparse.Namespace) -> int:
     """Print force closure, and the Grasp Wrench Space: epsilon, slice, facets."""
+    from equilibrium.methods.closure_friction import closure_friction
     from equilibrium.methods.force_closure import force_closure
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
 
@@ -172,6 +189,10 @@ def _force_closure(arguments: argparse.Namespace) -> int:
     lines = [_closure_line(grasp, closed)]
     if closed.free_motion is not None:
         lines.append(f"free motion      {vector(closed.free_motion)}: no contact force opposes it")
+    if len(grasp) <= _MOST_WITH_LEAST_FRICTION:
+        least = closure_friction(grasp)
+        document["least_friction"] = least.to_dict()
+        lines.append(_friction_line(least))
     if grasp.dimension == 3:
         document["pyramid"] = edges
         lines.append(f"linearised space {pyramid_words(edges)}, inside the round cones:")

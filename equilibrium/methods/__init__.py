@@ -5,6 +5,10 @@ Signs follow the package: the grasp resists the wrench w when contact forces c e
 lets arise. `registry` is their table, `compare` asks all of them.
 """
 
+from .closure_friction import (
+    ClosureFriction as ClosureFriction,
+    closure_friction as closure_friction,
+)
 from .compare import (
     Answer as Answer,
     Comparison as Comparison,

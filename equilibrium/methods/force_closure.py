@@ -66,10 +66,14 @@ class ForceClosure:
         return document
 
 
-def force_closure(grasp: Grasp) -> ForceClosure:
+def force_closure(grasp: Grasp, *, pyramids: bool = True) -> ForceClosure:
     """Decide force closure with the cones of the grasp, in space round ones.
 
     Springs, preloads and adhesion play no part: a constant pull changes no cone.
+
+    Args:
+        pyramids: whether in space pyramids are tried where the cone program is inconclusive; of
+            many contacts that takes long.
 
     Raises:
         MissingExtraError: in space, where a cone program has to decide and is not installed.
@@ -80,7 +84,7 @@ def force_closure(grasp: Grasp) -> ForceClosure:
     >>> [str(x) for x in force_closure(read_grasp("two-opposed-fingers")).free_motion]
     ['0', '0', '0', '1', '0', '0']
     """
-    for proof in _proofs(grasp):
+    for proof in _proofs(grasp, pyramids):
         if proof.forces is not None and not closure_problem(grasp, proof.forces):
             return proof
         if proof.free_motion is not None and not escape_problem(grasp, proof.free_motion):
@@ -88,9 +92,9 @@ def force_closure(grasp: Grasp) -> ForceClosure:
     return ForceClosure(None)
 
 
-def _proofs(grasp: Grasp) -> Iterator[ForceClosure]:
+def _proofs(grasp: Grasp, pyramids: bool) -> Iterator[ForceClosure]:
     """Yield what may be a proof, from the cheapest on."""
-    unfelt = _unfelt_motion(grasp)
+    unfelt = unfelt_motion(grasp)
     if unfelt is not None:
         yield ForceClosure(False, free_motion=unfelt)
         return
@@ -108,10 +112,11 @@ def _proofs(grasp: Grasp) -> Iterator[ForceClosure]:
         # Pyramids need no extra, and decide most grasps.
         yield _with_pushes(balanced(grasp, load))
         raise
-    yield _with_pushes(balanced(grasp, load))
+    if pyramids or grasp.dimension == 2:
+        yield _with_pushes(balanced(grasp, load))
 
 
-def _unfelt_motion(grasp: Grasp) -> RationalVector | None:
+def unfelt_motion(grasp: Grasp) -> RationalVector | None:
     """Return a motion on which no force of the contacts does work; None if there is none."""
     basis = unit_vectors(grasp.wrench_size)
     for contact in grasp:

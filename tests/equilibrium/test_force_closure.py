@@ -3,21 +3,23 @@
 import json
 import re
 import sys
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from random import Random
 from types import ModuleType
 
+import numpy as np
 import pytest
 
 from arrangement.errors import MissingExtraError
 from arrangement.numbers.exact import dot
-from equilibrium import Contact, Grasp, GraspWrenchSpace, read_grasp
+from equilibrium import Contact, Grasp, GraspWrenchSpace, check_grasps, read_grasp
 from equilibrium.certificate.law import closure_problem, escape_problem
 from equilibrium.cli.program import main
 from equilibrium.core.contact_rows import cone_edge, friction_edges
 from equilibrium.grasps.inputs.random import random_grasp
-from equilibrium.methods import compare, force_closure
+from equilibrium.methods import closure_friction, compare, force_closure
 from equilibrium.methods.form_closure import _ray_value, form_closure
 from equilibrium.methods.round_cones import separates
 from equilibrium.model.contact import pyramid_edges
@@ -270,3 +272,97 @@ def test_friction_edges_in_the_plane_give_the_same():
         edges = [edge for contact in grasp for edge in friction_edges(contact)]
         value = _ray_value(edges)
         assert check(grasp) is (value is not None and value < 1)
+
+
+ENDS = [([-1, 0], ["12/13", "5/13"]), ([1, 0], ["-12/13", "5/13"])]
+#: Three fingers that press inwards and upwards, 5/12 off the horizontal: up is free below that.
+TRIPOD = [
+    (["4", "3", "0"], ["-48/65", "-36/65", "5/13"]),
+    (["-4", "3", "0"], ["48/65", "-36/65", "5/13"]),
+    (["0", "-5", "0"], ["0", "12/13", "5/13"]),
+]
+
+
+@pytest.mark.parametrize(
+    ("places", "least"),
+    [
+        (ENDS, Fraction(5, 12)),
+        (TRIPOD, Fraction(5, 12)),
+        # The two sides see each other at 0.35 sqrt(2) off their normals.
+        (TRIANGLE, Fraction(49 * 2, 400)),
+    ],
+)
+def test_least_friction_for_closure_by_hand(places, least):
+    grasp = Grasp(Contact(point, normal, 1) for point, normal in places)
+    found = closure_friction(grasp, "1/100000")
+    assert not found.impossible
+    assert found.verify(grasp)
+    assert found.high - found.low <= Fraction(1, 100000)
+    if places is TRIANGLE:
+        assert found.low**2 <= least < found.high**2
+    else:
+        assert found.low == least < found.high
+
+
+def test_least_friction_of_the_antipodal_pair_at_20_degrees(tmp_path, capsys):
+    """Nguyen: each cone has to hold the other finger, so it is tan 20 = 0.36397."""
+    table = tmp_path / "pair.csv"
+    table.write_text("x,y,angle,mu\n-1,0,20,0.5\n1,0,160,0.5\n")
+    assert main(["info", str(table), "--force-closure"]) == 0
+    assert "least friction   0.36397 (between " in capsys.readouterr().out
+    assert main(["info", "two-opposed-fingers", "--force-closure"]) == 1
+    assert (
+        "least friction   none is enough (the same at all contacts), proved"
+        in capsys.readouterr().out
+    )
+
+
+def test_no_friction_closes_two_fingers_in_space():
+    grasp = read_grasp("two-opposed-fingers")
+    found = closure_friction(grasp)
+    assert (found.impossible, found.high) == (True, None)
+    assert found.verify(grasp)
+    form = Grasp(
+        Contact(point, normal, 0)
+        for point, normal in [
+            ([-1, 1], [1, 0]),
+            ([1, -1], [-1, 0]),
+            ([1, -1], [0, 1]),
+            ([-1, 1], [0, -1]),
+        ]
+    )
+    closed = closure_friction(form)
+    assert (closed.low, closed.high, closed.verify(form)) == (0, 0, True)
+    with pytest.raises(GraspError, match="tolerance is 0; it must be above 0"):
+        closure_friction(form, 0)
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_closure_changes_at_the_least_friction(dimension):
+    found = {True: 0, False: 0}
+    for seed in range(12):
+        grasp = random_grasp(4, seed, dimension=dimension)
+        least = closure_friction(grasp, "1/1000")
+        found[least.impossible] += 1
+        assert least.verify(grasp)
+        if least.impossible:
+            assert force_closure(grasp.with_friction(1000)).accepts is not True
+            continue
+        assert force_closure(grasp.with_friction(least.high)).accepts is not False
+        assert force_closure(grasp.with_friction(least.high * Fraction(9, 8))).accepts
+        if least.low:
+            assert not force_closure(grasp.with_friction(least.low * Fraction(7, 8))).accepts
+            for forged in ({"low": least.high * 2}, {"high": least.low / 2}):
+                assert not replace(least, **forged).verify(grasp)
+    assert found[False] > 5
+
+
+def test_labels_of_arrays_of_grasps():
+    turn = np.radians(20)
+    normals = [[[np.cos(turn), np.sin(turn)], [-np.cos(turn), np.sin(turn)]], [[0, 1], [0, 1]]]
+    checked = check_grasps([[[-1, 0], [1, 0]]] * 2, normals, 0.5, [[0, -1, 0]])
+    (low, high), never = checked.closure_friction("1/100000")
+    assert low <= np.tan(turn) + 1e-9
+    assert high >= np.tan(turn) - 1e-9
+    assert high - low <= 1.1e-5
+    assert never.tolist() == [np.inf, np.inf]

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from arrangement.console.number_form import ReprMixin, counted
+from arrangement.console.plugins import attached
 from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, from_floats
-from arrangement.numbers.float_filter import Booleans
+from arrangement.numbers.float_filter import Booleans, Floats
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.floats import from_float_data
 from equilibrium.model.contact import VALUES
@@ -68,6 +70,23 @@ class CheckedGrasps(ReprMixin):
     def grasp(self, number: int) -> Grasp:
         """Return one of the grasps exactly, as the answers are about it; `solve` proves them."""
         return exact_grasp(self._source, range(len(self.resisted))[number])
+
+    def closure_friction(self, tolerance: Any = Fraction(1, 1000)) -> Floats:
+        """Return the least friction for force closure of each grasp, (G, 2): below, enough.
+
+        It is a label of grasps in data sets: the same coefficient at all contacts, in space on
+        round cones. Each end has a proof: see `equilibrium.methods.closure_friction`.
+
+        Args:
+            tolerance: the wanted length of each bracket.
+
+        Returns:
+            Floats rounded outwards: without closure up to the first, with it from the second on.
+            Both are inf where no coefficient is enough, and the second where none was found.
+        """
+        grasps = list(map(self.grasp, range(len(self.resisted))))
+        brackets: Floats = attached("CheckedGrasps.closure_friction")(grasps, tolerance)
+        return brackets
 
 
 def check_grasps(
