@@ -520,6 +520,7 @@ EXCEPTIONS = {
     "equilibrium.model.errors": "messages",
     "equilibrium.model.labels": "units and errors that results repeat",
     "equilibrium.model.outline": "shapes of pictures",
+    "equilibrium.model.synonyms": "a table of names",
     "equilibrium.core.tresca": "proposes states, which exact programs decide",
     "equilibrium.wrench_sets.text": "text of resisted sets",
 }

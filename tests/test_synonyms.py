@@ -1,10 +1,14 @@
 """Names of other programs: each target runs, and unknown attributes are answered with it."""
 
 import doctest
+import math
 
 import pytest
 
+import equilibrium
 from arrangement import Arrangement, counts, families, synonyms
+from equilibrium import ResistedSet, read_grasp, solve
+from equilibrium.model.synonyms import NAMES, STATICS
 
 LINES = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
 
@@ -52,3 +56,26 @@ def test_one_name_means_one_thing():
 def test_names_that_are_only_alike_get_no_hint(name):
     with pytest.raises(AttributeError, match=f"'{name}'$"):
         getattr(LINES, name)
+
+
+GRASP, LOAD = read_grasp("paper-four-contacts-preload-1"), [0, "1/2", 0]
+
+
+@pytest.mark.parametrize("subject", STATICS)
+def test_words_of_statics_run(subject):
+    pytest.importorskip("matplotlib")
+    names = {name: getattr(equilibrium, name) for name in dir(equilibrium)}
+    for name in STATICS[subject].values():
+        run(name, **names, G=GRASP, w=LOAD, math=math)
+
+
+@pytest.mark.parametrize(
+    "value", [GRASP, solve(GRASP, LOAD), ResistedSet(GRASP)], ids=["G", "v", "R"]
+)
+def test_words_of_statics_are_answered(value):
+    for word, name in NAMES.items():
+        if word not in dir(value):
+            with pytest.raises(AttributeError) as error:
+                getattr(value, word)
+            hint = str(error.value).partition("; use ")[2]
+            assert name.endswith(hint or "nothing")

@@ -1,8 +1,8 @@
-"""Directives and transforms: help of commands, public names, thumbnails, dark pictures."""
+"""Directives and transforms: command help, public names, synonyms, thumbnails, dark pictures."""
 
-from . import command_help, dark_pictures, module_names, thumbnails
+from . import command_help, dark_pictures, module_names, synonyms, thumbnails
 
 
 def setup(app):
-    for part in (command_help, dark_pictures, module_names, thumbnails):
+    for part in (command_help, dark_pictures, module_names, synonyms, thumbnails):
         part.setup(app)

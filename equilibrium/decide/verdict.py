@@ -47,6 +47,7 @@ from equilibrium.model.errors import (
 from equilibrium.model.labels import ROUNDED
 from equilibrium.model.solution import Open, Refutation, Solution, Tree, pad_entries
 from equilibrium.model.subject import LoadCase, Subject, by_body
+from equilibrium.model.synonyms import NAMES
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED, robustness, undecided
 from .engines import Engine, PlanarEngine, SpatialEngine
@@ -102,6 +103,7 @@ class Verdict(HintsMixin):
     _deadline: Deadline = field(default=NO_DEADLINE, repr=False, compare=False)
 
     _synonyms: ClassVar[Mapping[str, str]] = {
+        **{word: name.removeprefix("solve(G, w).") for word, name in NAMES.items()},
         "check": "verify()",
         "is_stable": "stable",
         "margin": "ResistedSet(grasp).margin(wrench)",

@@ -38,6 +38,7 @@ from .drawable import DrawableGrasp
 from .errors import GraspError
 from .labels import DataError, Units
 from .outline import Circle, Mesh, Outline, Polygon, coordinates, read_outline
+from .synonyms import NAMES
 
 if TYPE_CHECKING:
     from arrangement import Arrangement
@@ -74,6 +75,7 @@ class Grasp(HintsMixin, DrawableGrasp):
     data_error: DataError | None = field(default=None, compare=False)
 
     _synonyms: ClassVar[Mapping[str, str]] = {
+        **NAMES,
         "epsilon": "GraspWrenchSpace(grasp).epsilon",
         "force_closure": "methods.force_closure(grasp)",
         "is_force_closure": "methods.force_closure(grasp)",

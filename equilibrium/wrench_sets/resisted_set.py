@@ -21,6 +21,7 @@ from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.synonyms import NAMES
 
 from .any_direction import SmallestUnresisted, smallest_unresisted_wrench
 from .best_direction import BestDirection, best_direction
@@ -80,6 +81,7 @@ class ResistedSet(HintsMixin, JsonMixin):
     repr_fields = ("grasp", "max_displacement", "pyramid")
     json_fields = ("polyhedra",)
     _synonyms: ClassVar[Mapping[str, str]] = {
+        **{word: name.removeprefix("ResistedSet(G).") for word, name in NAMES.items()},
         "check_loads": "check(wrenches)",
         "epsilon": "smallest_outside().size, or GraspWrenchSpace(grasp).epsilon",
         "friction": "margin(wrench).friction()",
