@@ -8,6 +8,7 @@ too small to be seen, the farthest crossings are left out.
 
 from __future__ import annotations
 
+import argparse
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -80,10 +81,19 @@ from arrangement.pictures.names import (
 from arrangement.planes.planes import Planes
 from arrangement.planes.polygon import Inside, bounding_planes
 
+
+def _polygon_file(path: str) -> Arrangement:
+    """Read a polygon for the command line (the ``type=`` of an argument)."""
+    try:
+        return read_arrangement(path)
+    except InputError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
 if TYPE_CHECKING:
     PolygonFile: TypeAlias = Inside
 else:  # on a command line a file
-    PolygonFile = Annotated[Any, Syntax(read_arrangement, "POLYGON")]
+    PolygonFile = Annotated[Any, Syntax(_polygon_file, "POLYGON")]
 
 #: The direction from which the cone is seen: the plane of the lines is at height 1 above it.
 ABOVE = (0, 0, 1)
@@ -353,7 +363,7 @@ class PolygonChart(LinesChart):
             raise InputError(
                 "nothing is on the positive side of all sides; give those of a polygon"
             )
-        if not window:
+        if not window and corners[0].is_bounded:
             vertices = [tuple(map(rational_near, p)) for p in corners[0].vertices]
             middle, half = _around(vertices)
             window = [tuple(m + s * h for m, h in zip(middle, half, strict=True)) for s in (-1, 1)]

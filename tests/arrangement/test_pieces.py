@@ -336,7 +336,12 @@ class TestPicture:
         with pytest.raises(InputError, match="positive side"):
             draw_lines.scene(lines, inside=Arrangement([[1, 0], [-1, 0]], [1, 1]))
 
-    def test_command_reads_the_polygon(self, tmp_path):
+    def test_half_plane_is_shown_with_the_crossings(self):
+        half = Arrangement([[0, 1]], [0])
+        scene = draw_lines.scene(families.diagonals(6), inside=half, labels="none")
+        assert sum(item.name.startswith("region-") for item in scene.items) == 18
+
+    def test_command_reads_the_polygon(self, tmp_path, capsys):
         polygon = tmp_path / "square.json"
         families.polygon(4).save(polygon)
         families.diagonals(4).save(tmp_path / "lines.json")
@@ -344,6 +349,9 @@ class TestPicture:
         command = ["draw", str(tmp_path / "lines.json"), "--view", "lines", "-o", str(path)]
         assert main([*command, "--inside", str(polygon)]) == 0
         assert 'id="outside-1"' in path.read_text()
+        with pytest.raises(SystemExit):
+            main([*command, "--inside", str(tmp_path / "none.json")])
+        assert "cannot read" in capsys.readouterr().err
 
     def test_irrational_lines_are_drawn(self):
         lines = families.diagonals(5)
