@@ -50,16 +50,35 @@ class ParameterReport(Report):
     span: Span = field(default_factory=lambda: Span(Fraction(0), Fraction(0)))
 
     def asked(self, question: Any, *_: Any) -> ParameterReport:
-        """Return what this says of one question: nothing, unless it is one of these."""
+        """Return what this says of questions with a letter; of a single one it says nothing."""
         if question is None:
             return self
         problem = "it is about all values of a parameter, not about one question"
+        if isinstance(question, ParametricQuestion):
+            problem = self._difference(question)
         return replace(self, problem=self.problem or problem, compared=True)
+
+    def _difference(self, wanted: ParametricQuestion) -> str:
+        """Return in what its questions differ from others for its values, or nothing."""
+        assert self.family is not None
+        if (self.family.letter, self.family.is_angle) != (wanted.letter, wanted.is_angle):
+            return "its parameter is another one"
+        if self.family.names != wanted.names:
+            return "it is about other bodies"
+        domain = Domain(self.span, letter=wanted.letter)
+        try:
+            if function_rows(self.family, domain) != function_rows(wanted, domain):
+                return "its contacts differ"
+            if self.family.load(domain) != wanted.load(domain):
+                return "its wrench differs"
+        except Undecided:
+            return "its numbers differ for some values"
+        return ""
 
     @property
     def to_compare(self) -> str:
         """How the command compares what it is about with a question."""
-        return "compare the expressions above with your own"
+        return "not compared with a question: give --grasp FILE, or compare the expressions above"
 
     @property
     def question(self) -> list[str]:

@@ -156,6 +156,13 @@ def check_version(document: Any) -> str:
     return kind
 
 
+def parameter_of(document: Any) -> str:
+    """Return the letter of a certificate for all values of a parameter; nothing for another one."""
+    entry = document.get("parameter") if isinstance(document, Mapping) else None
+    letter = entry.get("letter") if isinstance(entry, Mapping) else None
+    return letter if isinstance(letter, str) else ""
+
+
 def form_of(subject: Subject) -> TreeForm:
     """Return the form of trees about a grasp or an assembly."""
     if isinstance(subject, Assembly):

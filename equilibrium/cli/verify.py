@@ -22,7 +22,9 @@ from .arguments import (
     add_grasp,
     applied,
     bodies_of,
+    force_given,
     grasp_of,
+    has_load,
     show,
 )
 from .goes_with import ASSEMBLY, check_options
@@ -49,8 +51,15 @@ def add_command_verify(commands: Any) -> None:
 
 
 def _verify(arguments: argparse.Namespace) -> int:
+    from equilibrium.certificate.reading import parameter_of
+    from equilibrium.grasps.files import read_certificate
+
     check = _by_verified_checker if arguments.verified else _by_python_checker
-    question = _question(arguments)
+    letter = ""
+    if not arguments.verified:
+        arguments.certificate = read_certificate(arguments.certificate)
+        letter = parameter_of(arguments.certificate)
+    question = _of_letter(arguments, letter) if letter else _question(arguments)
     report = check(arguments, question)
     document = report.to_dict()
     # The verified checker counts no leaves, and what came on stdin only it has read.
@@ -59,7 +68,8 @@ def _verify(arguments: argparse.Namespace) -> int:
         del document[name]
     document["checker"] = "proved" if arguments.verified else "python"
     lines = list(_lines(report, "verified" if arguments.verified else "Python", known=not unread))
-    if words := numbering_words(getattr(question and question[0], "groups", ())):
+    one = question if question and not letter else (None,)
+    if words := numbering_words(getattr(one[0], "groups", ())):
         lines.append(words)
     grasp = report.grasp if "grasp" in document else None
     return show(arguments, document, lines, bool(report), grasp)
@@ -88,6 +98,18 @@ def _by_verified_checker(arguments: argparse.Namespace, question: Any) -> Report
     if question is not None:
         raise GraspError("--verified compares no proof on stdin; give a file")
     return report
+
+
+def _of_letter(arguments: argparse.Namespace, letter: str) -> Any:
+    """Return the questions with a letter that the certificate has to be about, if given."""
+    from equilibrium.grasps.inputs.parameter import read_parametric
+
+    if arguments.grasp is None:
+        if has_load(arguments):
+            raise GraspError("a question is a grasp and a wrench; give --grasp FILE and --wrench W")
+        return None
+    load = force_given(arguments) or arguments.wrench
+    return read_parametric(arguments.grasp, letter, load)
 
 
 def _question(arguments: argparse.Namespace) -> Any:

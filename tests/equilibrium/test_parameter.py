@@ -1,6 +1,7 @@
 """Values of a parameter for which a load is resisted: proofs for whole intervals at once."""
 
 import json
+import re
 from collections import Counter
 from fractions import Fraction
 from itertools import pairwise
@@ -16,8 +17,10 @@ from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs.parameter import read_parametric
+from equilibrium.grasps.schemas import parameter_certificate_schema
 from equilibrium.model.solution import Solution
 from equilibrium.wrench_sets.sufficient_friction import sufficient_friction
+from tests.schemas import validator
 
 F = Fraction
 
@@ -316,6 +319,63 @@ def test_what_is_no_certificate_is_one_clear_error(change, words):
     change(document)
     with pytest.raises(InputError, match=words):
         check(document)
+
+
+def test_schema_takes_certificates_and_refuses_others(answers):
+    schema = validator(parameter_certificate_schema())
+    angle, stack = resisted_values(SLOPE, 0, 45), resisted_values(STACK, 0, 1)
+    documents = [x for answer in (*answers, angle, stack) for x in answer.certificates]
+    assert len(documents) > 40
+    for document in documents:
+        schema.validate(json.loads(json.dumps(document)))
+    proof = resisted_values(LADDER, 0, 1).certificates[-1]
+    contact = proof["grasp"]["contacts"][0]
+    for change in (
+        {"parameter": {"letter": "t", "from": "0"}},
+        {"parameter": {"letter": "time", "from": "0", "to": "1"}},
+        {"parameter": {"letter": "t", "from": "0", "to": "1", "without": ["low"]}},
+        {"schema_version": 2},
+        {"motion": ["0", "1"]},
+        {"motion": [0.5, "0", "1"]},
+        {"motion": ["__import__", "0", "1"]},
+        {"tree": ["0", "1", "0"]},
+        {"certificate": "not resisted"},
+        {"assembly": STACK},
+        {"grasp": {"contacts": [{**contact, "angle": "90"}]}},
+        {"grasp": {"contacts": [{**contact, "strange": "1"}]}},
+    ):
+        assert not schema.is_valid({**proof, **change})
+
+
+def test_certificates_are_compared_with_a_question_with_the_letter(tmp_path, capsys):
+    table, proof = tmp_path / "ladder.csv", tmp_path / "proof.json"
+    table.write_text("x,y,nx,ny,mu\n0,0,0,1,3*t/3\n4,3,-1,0,0\n")
+    proof.write_text(json.dumps(resisted_values(LADDER, 0, 1).certificates[-1]))
+    line = ["verify", str(proof), "--grasp", str(table)]
+    assert main([*line, "--weight", "1", "--at", "2", "3/2"]) == 0
+    assert "give --grasp" not in capsys.readouterr().out
+    assert main([*line, "--wrench", "0", "-2", "-2"]) == 1
+    assert "not valid: its wrench differs" in capsys.readouterr().out
+    for friction, words in (
+        ("t/2", "its contacts differ"),
+        ("t^2", "its contacts differ|its numbers"),
+    ):
+        table.write_text(f"x,y,nx,ny,mu\n0,0,0,1,{friction}\n4,3,-1,0,0\n")
+        assert main([*line, "--wrench", "0", "-1", "-2"]) == 1
+        assert re.search(words, capsys.readouterr().out)
+    assert main(line) == 2
+    assert main([*line[:2], "--wrench", "0", "-1", "-2"]) == 2
+    assert main(line[:2]) == 0
+    assert "not compared with a question" in capsys.readouterr().out
+    stack = tmp_path / "stack.json"
+    stack.write_text(json.dumps(STACK))
+    for certificate in resisted_values(STACK, 0, 1).certificates:
+        proof.write_text(json.dumps(certificate))
+        assert main(["verify", str(proof), "--grasp", str(stack)]) == 0
+    report = check(certificate, read_parametric({**STACK, "bodies": ["lower", "other"]}))
+    assert "other bodies" in report.problem
+    assert "other bodies" in check(certificate, read_parametric(LADDER)).problem
+    assert "parameter is another one" in check(certificate, read_parametric(SLOPE)).problem
 
 
 def test_comparisons_have_one_answer_or_none():

@@ -53,6 +53,15 @@ def shapes_schema() -> dict[str, Any]:
     return _with("shapes", grasp=grasp_schema())
 
 
+def parameter_certificate_schema() -> dict[str, Any]:
+    """Return the schema of certificates for all values of a parameter.
+
+    >>> parameter_certificate_schema()["title"]
+    'Certificate for all values of a parameter'
+    """
+    return _with("parameter-certificate", grasp=grasp_schema())
+
+
 def _with(name: str, **definitions: dict[str, Any]) -> dict[str, Any]:
     """Return a schema with others among its definitions."""
     schema = _schema(name)
