@@ -143,6 +143,7 @@ TARGETS = {
     "assemblies": Target("equilibrium.certificate.assemblies", ASSEMBLIES),
     "touching": Target("equilibrium.grasps.inputs.touching", (*TOUCHING, SHAPES)),
     "shapes": Target("equilibrium.grasps.inputs.shapes", (SHAPES,)),
+    "letter": Target("equilibrium.grasps.inputs.shapes_letter", (SHAPES,)),
     "enclosure": Target("equilibrium.certificate.enclosure", SPACE),
     "uncertain": Target("equilibrium.certificate.uncertain", ROBUST),
     "robust": Target("equilibrium.certificate.robust", ROBUST),

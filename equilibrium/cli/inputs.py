@@ -78,6 +78,10 @@ def add_commands(commands: Any) -> None:
     add_number(shapes, "--gap", None, "discs touch what is this close to them", "LENGTH")
     text = "largest error of a normal that has no exact unit form"
     add_number(shapes, "--angle-tolerance", Fraction(1, 10**6), text, "RADIANS")
+    text = (
+        "numbers have a letter, which stays in the file: find contacts inside its range, as t=1..2"
+    )
+    shapes.add_argument("--parameter", metavar="LETTER=FROM..TO", help=text)
     shapes.add_argument("-o", "--output", metavar="OUT.json", help="write the file here")
 
     text = "put contacts on a circle, normals to its centre"
@@ -208,8 +212,14 @@ def _converted(arguments: argparse.Namespace) -> int:
 def _shapes(arguments: argparse.Namespace) -> int:
     """Print or write the assembly or grasp of shapes that touch."""
     from equilibrium.grasps.inputs import read_shapes
+    from equilibrium.grasps.inputs.shapes_letter import shapes_with_letter
     from equilibrium.model.assembly import Assembly
 
+    if arguments.parameter is not None:
+        made = shapes_with_letter(
+            arguments.file, arguments.parameter, arguments.friction, arguments.gap
+        )
+        return _give(arguments, {"assembly": made})
     names = ("friction", "gap", "angle_tolerance")
     read = read_shapes(arguments.file, **{name: getattr(arguments, name) for name in names})
     if not arguments.json:

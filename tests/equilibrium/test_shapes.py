@@ -9,13 +9,25 @@ from itertools import accumulate, combinations, pairwise, product
 import pytest
 
 from arrangement.errors import InputError
-from equilibrium import Circle, Contact, Grasp, ResistedSet, read_grasp, solve, verify
+from arrangement.numbers.expressions import read_expression
+from equilibrium import (
+    Circle,
+    Contact,
+    Grasp,
+    ResistedSet,
+    read_grasp,
+    resisted_values,
+    solve,
+    verify,
+)
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import read_shapes
 from equilibrium.grasps.inputs.documents import read_assembly
+from equilibrium.grasps.inputs.shapes_letter import _mapped, shapes_with_letter
 from equilibrium.grasps.schemas import assembly_schema, grasp_schema, shapes_schema
 from equilibrium.model.assembly import Assembly, BodyContact, RigidBody
 from equilibrium.model.outline import Segments, Sphere, read_outline
+from equilibrium.model.parameter import ParametricQuestion
 from tests.schemas import validator
 
 SCHEMA = validator(shapes_schema())
@@ -581,3 +593,101 @@ class TestFiles:
         assert 'id="thread-2"' in text
         assert 'id="outline-ground-1"' in text
         assert 'id="pad-1"' in text
+
+
+STEP = "10*t^2/(1+t^2)"
+WHEEL = document(
+    [disc("wheel", 0, 5, 5, weight=4)],
+    [
+        walls((-9, 0), (2, 0), name="floor"),
+        {
+            "name": "step",
+            "polygon": [["10*t/(1+t^2)", 0], [9, 0], [9, STEP], ["10*t/(1+t^2)", STEP]],
+        },
+    ],
+    "1",
+    threads=[
+        {
+            "body_a": "wheel",
+            "point": [0, 5],
+            "body_b": None,
+            "to": [12, 5],
+            "tension": 3,
+            "stiffness": 0,
+        }
+    ],
+)
+COSINE, SINE = "(1-t^2)/(1+t^2)", "2*t/(1+t^2)"
+#: Two balls in a tube, and a disc on a slope; a block on the ground.
+TUBE = document(
+    [
+        {"name": "tube", "weight": "t", "centre": [0, 2]}
+        | {"segments": [[[f"{s}1{s}{COSINE}", y] for y in (0, 5)] for s in "-+"]},
+        disc("low", f"-{COSINE}", 1, 1, weight=1),
+        disc("high", COSINE, f"1+2*{SINE}", 1, weight="2*t"),
+    ],
+    [walls((-4, 0), (4, 0))],
+    pairs=[{"shapes": ["low", "high"], "friction": "t/9"}],
+)
+SLOPE = document(
+    [
+        disc("disc", f"-3*({SINE})", f"3*({COSINE})", 3, weight=1),
+        {"name": "block", "polygon": [[9, "-t"], [10, "-t"], [10, 0], [9, 0]], "weight": "t"},
+    ],
+    [
+        walls((f"-9*({COSINE})", f"-9*({SINE})"), (f"9*({COSINE})", f"9*({SINE})")),
+        walls((8, "-t"), (11, "-t"), name="shelf"),
+    ],
+    "1/2",
+)
+
+
+class TestLetter:
+    @pytest.mark.parametrize(
+        ("known", "low", "high"),
+        [(WHEEL, "1/4", "1/2"), (TUBE, "1/3", "4/5"), (SLOPE, "1/9", "1/3")],
+    )
+    def test_formulas_are_the_contacts_at_each_value(self, known, low, high):
+        made = shapes_with_letter(known, f"t={low}..{high}")
+        question = ParametricQuestion(made, "t")
+        for k in range(1, 40):
+            value = Fraction(low) + (Fraction(high) - Fraction(low)) * Fraction(k, 40)
+
+            def at(x, value=value):
+                return str(read_expression(x, "t").value(value))
+
+            read = read_shapes(_mapped(known, at))
+            assert question.at(value) == (read.subject, read.subject.weights)
+            assert len(read.subject.contacts) > 2
+
+    def test_the_lowest_step_that_stops_a_wheel(self, tmp_path):
+        """A pull F at the axle lifts a wheel of weight W over an edge at tan(angle) < F / W.
+
+        Source: any textbook of statics, the roller and the step.
+        """
+        path, made = tmp_path / "wheel.json", tmp_path / "made.json"
+        path.write_text(json.dumps(WHEEL), encoding="utf-8")
+        words = ["make", "shapes", str(path), "--parameter", "t=1/4..1/2", "-o", str(made)]
+        assert main(words) == 0
+        values = resisted_values(made, "1/4", "1/2")
+        (span,) = values.resisted
+        assert (span.low, span.high) == (Fraction(1, 3), Fraction(1, 2))
+        assert values.verify()
+
+    @pytest.mark.parametrize(
+        ("changes", "parameter", "words"),
+        [
+            ({"gap": "1"}, "t=0..1", "neither wrench nor gap"),
+            ({"bodies": [disc("a", 0, "1+(t-10/7)^2", 1)]}, "t=1..2", "contacts are others"),
+            ({"bodies": [disc("a", 0, "cos(t)", 1)]}, "t=1..2", "has an angle"),
+            ({"bodies": [disc("a", 0, 1, 1, density="t")]}, "t=1..2", "of no polygon"),
+            ({"bodies": [disc("a", 0, 1, 1, weight="t") | {"force": [0, "t"]}]}, "t=1..2", "force"),
+            ({"threads": [{"body_a": "a", "body_b": None, "point": [0, 0], "to": ["t", 1]}]},
+             "t=1..2", "length of the normal"),
+            ({}, "t=1", "expected a letter and its ends"),
+        ],
+    )  # fmt: skip
+    def test_what_has_no_formula_is_refused(self, changes, parameter, words):
+        known = document([disc("a", 0, 1, 1)], [walls((-4, 0), (4, 0))]) | changes
+        with pytest.raises(InputError, match=words):
+            shapes_with_letter(known, parameter)

@@ -107,10 +107,7 @@ def read_shapes(
     >>> [[str(x) for x in contact.normal] for contact in read.subject]
     [['3/5', '4/5'], ['-3/5', '4/5']]
     """
-    if isinstance(source, (str, os.PathLike)) and is_table(source):
-        document = _of_table(read_text(Path(source))[0])
-    else:
-        document = read_document(source, ("bodies", "body"), floats=decimal_text)
+    document = shapes_document(source)
     kind = "bodies" if "bodies" in document else "body"
     several = kind == "bodies"
     check_keys(document, (kind,), (*_COMMON, *(["wrench"] if several else [])), "the document")
@@ -133,9 +130,9 @@ def read_shapes(
             "the shapes are in the plane and in space, or several bodies in space; expected all in "
             'the plane, or one "body" and a ground in space'
         )
-    common = {key: document[key] for key in _VALUES if key in document}
-    common |= {} if friction is None else {"friction": friction}
-    values = _Values(common, document.get("pairs", []), {shape.name for shape in shapes})
+    if friction is not None:
+        document["friction"] = friction
+    values = PairValues(document, {shape.name for shape in shapes})
     found = touching(
         shapes,
         values,
@@ -160,11 +157,20 @@ def read_shapes(
     return ReadShapes(assembly, _wrenches(assembly, rows, document), found, remarks)
 
 
-class _Values:
+def shapes_document(source: Source) -> dict[str, Any]:
+    """Return the document of a source, of a table too."""
+    if isinstance(source, (str, os.PathLike)) and is_table(source):
+        return _of_table(read_text(Path(source))[0])
+    return read_document(source, ("bodies", "body"), floats=decimal_text)
+
+
+class PairValues:
     """Friction, stiffness and preload of the contact of two shapes, by their names."""
 
-    def __init__(self, common: Mapping[str, Any], pairs: Any, names: set[str]) -> None:
-        self.common, self.of_pairs = common, dict[frozenset[str], dict[str, Any]]()
+    def __init__(self, document: Mapping[str, Any], names: set[str]) -> None:
+        self.common = {key: document[key] for key in _VALUES if key in document}
+        self.of_pairs = dict[frozenset[str], dict[str, Any]]()
+        pairs = document.get("pairs", [])
         for i, entry in enumerate(check_list(pairs, "pairs")):
             check_keys(entry, ("shapes",), _VALUES, f"pairs[{i}]")
             pair = check_list(entry["shapes"], f"pairs[{i}].shapes", 2)
@@ -178,6 +184,7 @@ class _Values:
             self.of_pairs[frozenset(pair)] = self.of_pairs.get(frozenset(pair), {}) | own
 
     def __call__(self, first: str, second: str) -> dict[str, Any]:
+        """Return the values by name, as they stand in the document."""
         values = {**self.common, **self.of_pairs.get(frozenset((first, second)), {})}
         if "friction" not in values:
             raise GraspError(

@@ -89,6 +89,23 @@ class Shape(NamedTuple):
         return list(cycle_edges(self.corners))
 
 
+class Touch(NamedTuple):
+    """A place where shapes touch.
+
+    Attributes:
+        first: the shape into which the normal points.
+        way: from the second shape to the first, of any length; from a place to a centre.
+        gap: the distance of the shapes as they were given, below 0 where they overlap (length).
+        point: the place; None of a disc, where it is derived from the normal.
+    """
+
+    first: Shape
+    second: Shape
+    way: RationalVector
+    gap: Fraction = Fraction(0)
+    point: RationalVector | None = None
+
+
 @dataclass(frozen=True)
 class TouchingShapes:
     """The contacts of shapes that touch, and what was rounded.
@@ -96,8 +113,7 @@ class TouchingShapes:
     Attributes:
         contacts: the body into which the normal points, the other one (None: the ground), and the
             contact.
-        gaps: of each contact the distance between the shapes as they were given, below 0 where they
-            overlap (length).
+        touches: of each contact the shapes.
         angle_errors: of each contact, see `UnitNormal`.
         centres: of the discs that can move.
         moves: of each of these the largest change of a coordinate, made so that lines of force meet
@@ -107,7 +123,7 @@ class TouchingShapes:
     """
 
     contacts: tuple[tuple[str, str | None, Contact], ...]
-    gaps: RationalVector
+    touches: tuple[Touch, ...]
     angle_errors: RationalVector
     centres: Mapping[str, RationalVector]
     moves: RationalVector
@@ -128,7 +144,7 @@ class TouchingShapes:
         """What was rounded, in words."""
         lines = []
         for values, kind, text in (
-            (self.gaps, "contact", "within the gap, not exactly"),
+            ([touch.gap for touch in self.touches], "contact", "within the gap, not exactly"),
             (self.angle_errors, "contact", "normal rounded, in radians"),
             (self.moves, "centre", "moved, so that lines of force meet both centres"),
             (self.misses, "contact", "line of force beside the second centre"),
@@ -137,23 +153,6 @@ class TouchingShapes:
                 many = f"{len(sizes)} of {counted(len(values), kind)}"
                 lines.append(f"{text}: {many}, by up to {float(max(sizes)):.2g}")
         return lines
-
-
-class _Touch(NamedTuple):
-    """A place where shapes touch.
-
-    Attributes:
-        first: the shape into which the normal points.
-        way: from the second shape to the first, of any length; from a place to a centre.
-        gap: the distance.
-        point: the place; None of a disc, where it is derived from the normal.
-    """
-
-    first: Shape
-    second: Shape
-    way: RationalVector
-    gap: Fraction = Fraction(0)
-    point: RationalVector | None = None
 
 
 def touching_polygons(
@@ -261,7 +260,7 @@ def touching(
         contacts.append((*names, Contact(point, normal, **law)))
     return TouchingShapes(
         tuple(contacts),
-        tuple(touch.gap for touch in found),
+        tuple(found),
         tuple(unit.angle_error for unit in units),
         centres,
         tuple(max(map(abs, difference(centres[name], place))) for name, place in discs.items()),
@@ -277,7 +276,7 @@ def _are_apart(one: Shape, other: Shape, gap: Fraction) -> bool:
     return any(max(a) + gap < min(b) or max(b) + gap < min(a) for a, b in zip(*boxes, strict=True))
 
 
-def _touches(one: Shape, other: Shape, gap: Fraction) -> Iterator[_Touch]:
+def _touches(one: Shape, other: Shape, gap: Fraction) -> Iterator[Touch]:
     if isinstance(other.form, Circle) and not (isinstance(one.form, Circle) and one.is_body):
         one, other = other, one
     if isinstance(one.form, Circle):
@@ -286,10 +285,10 @@ def _touches(one: Shape, other: Shape, gap: Fraction) -> Iterator[_Touch]:
         _refuse_overlap(one, other)
         for point, (start, end) in dict.fromkeys(_edge_touches(one, other)):
             along = difference(end, start)
-            yield _Touch(one, other, (along[1], -along[0]), point=point)
+            yield Touch(one, other, (along[1], -along[0]), point=point)
 
 
-def _round_touches(disc: Shape, other: Shape, form: Circle, gap: Fraction) -> Iterator[_Touch]:
+def _round_touches(disc: Shape, other: Shape, form: Circle, gap: Fraction) -> Iterator[Touch]:
     """Yield where a disc or sphere touches."""
     reach = other.form.radius if isinstance(other.form, Circle) else Fraction(0)
     due, ways = form.radius + reach, list(dict.fromkeys(_ways(form.centre, other)))
@@ -304,7 +303,7 @@ def _round_touches(disc: Shape, other: Shape, form: Circle, gap: Fraction) -> It
                 "touch at most. Move one, or give a larger gap"
             )
         if square <= (due + gap) ** 2:
-            yield _Touch(disc, other, way, _root(square) - due)
+            yield Touch(disc, other, way, _root(square) - due)
 
 
 def _ways(centre: RationalVector, shape: Shape) -> Iterator[RationalVector]:
@@ -496,7 +495,7 @@ def _contains(point: RationalVector, shape: Shape) -> bool:
     return crossings % 2 == 1
 
 
-def _unit(touch: _Touch, tolerance: Any) -> UnitNormal:
+def _unit(touch: Touch, tolerance: Any) -> UnitNormal:
     """Return the exact unit normal along a direction, or one near it."""
     found = unit_normal(touch.way, "1/1000" if tolerance is None else tolerance)
     if found.angle_error and tolerance is None:
