@@ -7,6 +7,8 @@ INPUTS = {
     "fingers.csv": "x,y,normal_x,normal_y,friction\n-1,0,1,0,0.5\n1,0,-1,0,0.5\n",
     "wedge.json": '{"schema_version": 1, "polygon": [["0", "0"], ["4", "0"], ["0", "3"]], '
     '"places": [{"edge": 0, "at": "1/2", "friction": "1/4"}]}',
+    "triangle.json": '{"schema_version": 1, "polygon": [[0, 0], [4, 0], [0, 3]]}',
+    "segments.json": '{"schema_version": 1, "segments": [[[0, 0], [4, 0]], [[0, 3], [4, 0]]]}',
     "corner.obj": "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
     "lecture.py": "from proofs_check import exercise\n"
     "@exercise('Twice 7?')\ndef twice(answer):\n    return answer == 14\n",
@@ -38,6 +40,8 @@ COMMANDS = (
     Command("arrangement count braid-a3", 0, "states           75"),
     Command(f"arrangement count {_G}", 0, "states           27"),
     Command("arrangement faces coordinate-planes --json", 0, '"witness"'),
+    Command("arrangement count segments.json", 0, "vertices         3"),
+    Command("arrangement count generic-lines-affine --inside triangle.json", 0, "inside: cells"),
     Command("arrangement make shi --type D4 -o d4.json", 0, writes="d4.json"),
     Command("arrangement count d4.json", 0, "(t - 6)**4"),
     Command("arrangement identify braid-a3", 0, "6.3, braid A3"),
@@ -94,6 +98,7 @@ COMMANDS = (
     Command("proofs-check run table-three-contacts --json", 0, '"verdict"'),
     Command('proofs-check try "m >= 3" --samples 2 --classes 3..3', 0, "no counterexample found"),
     Command("proofs-check fit regions --of generic(m=2..6)", 0, "m**2 - m + 2"),
+    Command("proofs-check extreme regions --of lines --classes 3..3", 0, "largest regions"),
     Command("proofs-check new mine", 0, writes="mine.py"),
     _needs("report", "proofs-check paper -o paper"),
     Command("proofs-check grade lecture.py answers.json", 0, "1 of 1"),
