@@ -199,8 +199,15 @@ class Leaves:
         """Return whether a leaf of another load on the grasp refutes this one, in its states."""
         work = dot(self.load, leaf.motion)
         work -= self.bound * sum(abs(x) for row in leaf.displacements.values() for x in row)
-        pairs = ((row[0], self.each[i].preload) for i, row in leaf.multipliers.items())
-        return bool(work + sum(alpha * preload for alpha, preload in pairs if preload) > 0)
+        pushed = [(row[0], self.each[i].preload) for i, row in leaf.multipliers.items()]
+        # In integers: fractions would take three times as long.
+        unit = math.lcm(*[alpha.denominator for alpha, preload in pushed if preload])
+        sizes = [
+            alpha.numerator * (unit // alpha.denominator) * preload
+            for alpha, preload in pushed
+            if preload
+        ]
+        return bool(work * unit + sum(sizes) > 0)
 
     def holds(self, states: Node, leaf: Leaf) -> bool:
         """Return whether a leaf whose linear terms cancel closes states; it is theirs then."""

@@ -141,6 +141,11 @@ class SpatialEngine(Engine):
         self.grasp, self.max_displacement, self.pyramid = grasp, max_displacement, pyramid
         self._edges = () if pyramid is None else pyramid_edges(pyramid)
 
+    @cached_property
+    def _contacts(self) -> FloatContacts:
+        """The contacts in floats, which all loads share."""
+        return FloatContacts(ContactRows.of_grasp(self.grasp))
+
     def outcome(
         self,
         load: RationalVector,
@@ -169,11 +174,10 @@ class SpatialEngine(Engine):
         def accept(solution: Solution) -> bool:
             return bool(proof_report(case, solution))
 
-        rows = ContactRows.of_grasp(self.grasp)
-        load = rows.total_load(wrench)
+        load = self._contacts.rows.total_load(wrench)
         question = self.grasp, load, effort, self.max_displacement
         return SpatialSearch(
-            FloatContacts(rows),
+            self._contacts,
             load,
             accept,
             effort,
