@@ -168,7 +168,8 @@ def convert(arguments: argparse.Namespace) -> int:
         number = arguments.number
         arrangement = entries.only() if number is None else entries[number]
     text, lost = converted(arrangement, form), form.loses(arrangement)
-    lost = "; ".join(filter(None, (rest and f"{rest} of the file", lost)))
+    names = "names of planes" if arrangement.names and form.name != "json" else ""
+    lost = "; ".join(filter(None, (rest and f"{rest} of the file", names, lost)))
     if arguments.output or not arguments.json:
         write_or_print(arguments.output, text)
     if arguments.json:

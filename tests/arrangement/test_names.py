@@ -42,6 +42,12 @@ class TestValues:
         assert read_arrangement(document).names == LINES.names
         assert "names" not in LINES.named([]).to_dict()
 
+    def test_conversion_keeps_names_or_reports_that_they_are_lost(self, tmp_path, capsys):
+        LINES.save(tmp_path / "lines.json")
+        for form, lost in (("json", ""), ("sage", "names of planes")):
+            assert main(["convert", str(tmp_path / "lines.json"), "--to", form, "--json"]) == 0
+            assert json.loads(capsys.readouterr().out)["lost"].partition(";")[0] == lost
+
     @pytest.mark.parametrize(
         "names",
         [

@@ -283,6 +283,8 @@ class TestCommand:
         sides = read_arrangement(path)
         assert sides == convex_polygon(SQUARE)
         assert read_arrangement(sides.to_dict()) == sides
+        assert main(["convert", str(path), "--to", "json", "--json"]) == 0
+        assert json.loads(capsys.readouterr().out)["lost"] == ""
         diagonals = {"schema_version": 1, "planes": [[1, 1], [1, -1]], "offsets": [2, 0]}
         (tmp_path / "lines.json").write_text(json.dumps(diagonals))
         assert main(["count", str(tmp_path / "lines.json"), "--inside", str(path)]) == 0

@@ -104,7 +104,9 @@ def read_with_rest(
         if text.strip() and text.lstrip()[0] not in '{["' and not str(source).endswith(".json"):
             raise InputError(f"{name} is in none of the formats that are read: {_named('read')}")
         document = parse_json(text, name)
-        return read(document, name), ", ".join(key for key in document if key not in documents.KEYS)
+        return read(document, name), ", ".join(
+            key for key in document if key not in (*documents.KEYS, "polygon")
+        )
     return Entries(form, text, name).only(), ""
 
 
