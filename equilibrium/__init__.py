@@ -93,6 +93,7 @@ attach(
         "Grasp.draw": "equilibrium.pictures.views:DRAWINGS",
         "Grasp.lab": "equilibrium.pictures.lab.page:lab_in_notebook",
         "Grasp._repr_svg_": "equilibrium.pictures.notebook:grasp_svg",
+        "ResistedValues.draw": "equilibrium.pictures.parameter:draw_values",
         "Verdict._repr_html_": "equilibrium.pictures.notebook:verdict_html",
         "Verdict._repr_svg_": "equilibrium.pictures.notebook:verdict_svg",
     }

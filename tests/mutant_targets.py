@@ -445,6 +445,7 @@ SAMPLED: dict[tuple[str, ...], tuple[str, ...]] = {
         "equilibrium.certificate.parameter",
         "equilibrium.model.parameter",
         "equilibrium.wrench_sets.parameter",
+        "equilibrium.pictures.parameter",
         "equilibrium.wrench_sets.sufficient_friction",
     ),
     (

@@ -67,6 +67,8 @@ def _add_options(draw: Parser) -> None:
     }
     add_options(draw, DRAWINGS, own=("preload",), common=("wrench",), more=more)
     add_force(draw, draw.add_mutually_exclusive_group())
+    text = "the values of a letter in the file for which its load is resisted, such as t=0..1"
+    draw.add_argument("--parameter", metavar="LETTER=FROM..TO", help=text)
     add_wrench(draw, "--origin", "of the data of a slice: a wrench of the plane", None)
 
 
@@ -74,6 +76,8 @@ def _draw(arguments: argparse.Namespace) -> int:
     from arrangement.drawing.command import given_options, write
     from equilibrium.pictures.views import DRAWINGS
 
+    if arguments.parameter is not None:
+        return _draw_values(arguments)
     bodies = bodies_of(arguments)
     if bodies is not None:
         return _draw_assembly(arguments, bodies)
@@ -103,6 +107,26 @@ def _draw_assembly(arguments: argparse.Namespace, bodies: Bodies) -> int:
     subject = solve(bodies.assembly, wrenches) if bodies.has_key else bodies.assembly
     options = given_options(arguments, OF_ASSEMBLIES, DRAWINGS)
     return write(arguments, OF_ASSEMBLIES, subject, options)
+
+
+def _draw_values(arguments: argparse.Namespace) -> int:
+    """Draw for which values of a letter the load of a file is resisted."""
+    from arrangement.drawing.command import given_options, write
+    from equilibrium.grasps.inputs.parameter import read_parametric, read_range
+    from equilibrium.pictures.views import DRAWINGS, OF_VALUES
+    from equilibrium.wrench_sets.parameter import resisted_values
+
+    for name in ("origin", "round_normals", "as_given"):
+        if getattr(arguments, name) not in (None, False):
+            raise GraspError(f"--{name.replace('_', '-')} does not go with --parameter; omit it")
+    loads = [load for load in (force_given(arguments), *(arguments.wrench or ())) if load]
+    if len(loads) > 1:
+        raise GraspError(f"--parameter takes one load; {len(loads)} are given")
+    arguments.wrench = None
+    letter, low, high = read_range(arguments.parameter)
+    family = read_parametric(arguments.grasp, letter, *loads)
+    options = given_options(arguments, OF_VALUES, DRAWINGS)
+    return write(arguments, OF_VALUES, resisted_values(family, low, high), options)
 
 
 def _write_data(arguments: argparse.Namespace, grasp: Grasp) -> int:

@@ -57,6 +57,14 @@ OF_ASSEMBLIES = Drawings(
     pages={},
 )
 
+#: What can be drawn of the values of a parameter.
+OF_VALUES = Drawings(
+    "equilibrium.pictures",
+    views={"values": ViewEntry("parameter:draw_values")},
+    models={},
+    pages={},
+)
+
 
 def write_drawing(grasp: Grasp, *args: Any, **options: Any) -> dict[str, Any]:
     """Draw a grasp into a file; arguments and errors are those of `Drawings.write`."""

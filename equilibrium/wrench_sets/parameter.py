@@ -14,9 +14,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arrangement.console.number_form import ReprMixin
+from arrangement.console.plugins import attached
 from arrangement.library.files.json_files import Source
 from arrangement.numbers.exact import rational, shown, simplest_between, to_text
 from arrangement.numbers.functions import Domain, Function, Span
@@ -47,6 +48,9 @@ from equilibrium.model.rows import ContactRow, ContactRows
 from equilibrium.model.solution import Leaf
 from equilibrium.plane.search.motion_regions import HALF_SPACE
 from equilibrium.plane.search.region_states import StateSplits, TooManyParts
+
+if TYPE_CHECKING:
+    from arrangement.drawing.path_artist import Drawing
 
 #: The largest gap between proofs, if none is given.
 TOLERANCE = Fraction(1, 10**6)
@@ -162,6 +166,15 @@ class ResistedValues(ReprMixin):
                     gap = next(beside, Gap(value, value))
                     ends.append(End(value, is_low, gap, limits_of(*self.family.at(value))))
         return tuple(ends)
+
+    def draw(self, **options: Any) -> Drawing:
+        """Draw the verdict along the letter, and the object where resistance ends.
+
+        Args:
+            options: width, in millimetres.
+        """
+        drawing: Drawing = attached("ResistedValues.draw")(self, **options)
+        return drawing
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""

@@ -1,12 +1,14 @@
 """Values of a parameter for which a load is resisted: proofs for whole intervals at once."""
 
 import json
+import math
 import re
 from collections import Counter
 from fractions import Fraction
 from itertools import pairwise
 from random import Random
 
+import numpy as np
 import pytest
 
 from arrangement import InputError
@@ -19,6 +21,7 @@ from equilibrium.cli.program import main
 from equilibrium.grasps.inputs.parameter import read_parametric
 from equilibrium.grasps.schemas import parameter_certificate_schema
 from equilibrium.model.solution import Solution
+from equilibrium.pictures.parameter import draw_values
 from equilibrium.wrench_sets.sufficient_friction import sufficient_friction
 from tests.schemas import validator
 
@@ -376,6 +379,46 @@ def test_certificates_are_compared_with_a_question_with_the_letter(tmp_path, cap
     assert "other bodies" in report.problem
     assert "other bodies" in check(certificate, read_parametric(LADDER)).problem
     assert "parameter is another one" in check(certificate, read_parametric(SLOPE)).problem
+
+
+@pytest.mark.parametrize(
+    ("document", "ends", "bars"),
+    [
+        (LADDER, (0, 1), {"not-resisted-1": 2 / 3, "resisted-1": 1 / 3}),
+        (LADDER, (0, "1/2"), {"not-resisted-1": 1}),
+        (SLOPE, (0, 45), {"resisted-1": math.degrees(math.atan(0.5)) / 45}),
+        (STACK, (0, 1), {"resisted-1": 1 / 4, "not-resisted-1": 3 / 4}),
+    ],
+)
+def test_picture_shows_verdicts_along_the_letter(document, ends, bars):
+    """Bars are as long as the intervals; the objects at the ends are drawn above them."""
+    answer = resisted_values(document, *ends)
+    scene = draw_values.scene(answer)
+    drawn = {x.name: x.points for x in scene.items if x.name in (*bars, "between", "resisted-1")}
+    whole = np.ptp(drawn["between"][:, 0])
+    for name, share in bars.items():
+        assert np.ptp(drawn[name][:, 0]) == pytest.approx(share * whole, rel=1e-4)
+    assert ("resisted-1" in drawn) == bool(answer.resisted)
+    texts = {item.text for item in scene.items if hasattr(item, "text")}
+    assert len([text for text in texts if text.startswith("t = ")]) == (1 if answer.ends else 2)
+    lines = [text for text, _ in scene.legend.lines]
+    assert any("slips at contact" in text for text in lines) == any(
+        e.gives and e.gives.slips for e in answer.ends
+    )
+    assert len({key.text for key in scene.legend.keys}) == len(scene.legend.keys)
+
+
+def test_picture_of_values_by_the_command(tmp_path, capsys):
+    table, picture = tmp_path / "ladder.csv", tmp_path / "ladder.svg"
+    table.write_text("x,y,nx,ny,mu\n0,0,0,1,t\n4,3,-1,0,0\n")
+    load = ["--weight", "1", "--at", "2", "3/2"]
+    line = ["draw", str(table), "-o", str(picture), "--parameter", "t=0..1"]
+    assert main([*line, *load]) == 0
+    assert 'id="resisted-1"' in picture.read_text()
+    assert main([*line, *load, "--view", "polar"]) == 2
+    assert main([*line, *load, "--origin", "0", "0", "0"]) == 2
+    assert main(line) == 2
+    assert "there is no wrench" in capsys.readouterr().err
 
 
 def test_comparisons_have_one_answer_or_none():
