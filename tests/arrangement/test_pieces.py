@@ -219,6 +219,13 @@ class TestFamilies:
         assert [cut.outside.cells for cut in cuts] == outside
         assert [cut.outside.bounded_cells for cut in cuts] == [0] * 4 + [7, 24, 63, 120, 242, 384]
 
+    @pytest.mark.parametrize("n", [4, 5, 6, 7, 8, 9, 10, 12, 16])
+    def test_pieces_of_diagonals_add_up_to_the_regions_of_their_lines(self, n):
+        """Without the sides, which no line crosses, a cell on each side of one is one region."""
+        lines = families.diagonals(n)
+        cut = lines.pieces(families.polygon(n))
+        assert lines.region_count() == cut.inside.cells + cut.outside.cells - n
+
     def test_lines_of_all_pairs_have_the_published_regions(self):
         """OEIS A345025 from n = 3 on: the lines of sides and diagonals of a regular n-gon."""
         every = [
