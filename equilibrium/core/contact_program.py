@@ -145,6 +145,11 @@ class ContactProgram:
         return self.at(point) if all(at.of(x.terms) >= 0 for x in self._least) else None
 
     @property
+    def unknowns(self) -> list[Any]:
+        """The forces that are columns after the motion and t, as ("friction", contact, tangent)."""
+        return list(self._columns)
+
+    @property
     def equations(self) -> list[tuple[Any, ...]]:
         """The equalities, not in integers."""
         return [self._row(self.question.expanded(x.terms)) for x in self._equal]

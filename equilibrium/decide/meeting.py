@@ -26,6 +26,8 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
+from equilibrium.core.contact_law import ContactState, LinearQuestion, State, fraction
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contacts import nearest
 from equilibrium.model.contact import Contact
 from equilibrium.model.labels import DataError
@@ -135,13 +137,13 @@ class _Balance:
         size: Fraction,
     ) -> None:
         self.rows, self.near = rows_of(subject), near
-        self.load = self.rows.total_load(load)
         self.size = nearest(size or Fraction(1))
         self.motion = [nearest(x) for x in near.motion]
         self.pressed = {i: f[0] for i, f in enumerate(near.forces) if f[0] > 0}
         self.force = max([*self.pressed.values(), *map(abs, load)])
         self.columns: list[_Column] = []
-        self.spring: dict[int, RationalVector] = {}
+        states = [self._state(i, i in smooth) for i in range(len(self.rows))]
+        self.program = ContactProgram(LinearQuestion(self.rows, load), tuple(states))
         shifted = [self._shifted(subject, k) for k in range(self.rows.tangents)]
         for i, pressed in self.pressed.items():
             row, along = self.rows[i], self.rows[i].normal_wrench
@@ -153,9 +155,9 @@ class _Balance:
                     self.columns.append(_Column(i, k, "shift", one, error.length * pressed))
                     turn = row.tangential_wrenches[k]
                     self.columns.append(_Column(i, k, "turn", turn, error.angle * pressed))
-                self.spring[i] = along
-            else:
-                self.spring[i] = self._rubbing(i, row)
+        for _, i, k in self.program.unknowns:
+            tangent = self.rows[i].tangential_wrenches[k]
+            self.columns.append(_Column(i, k, "friction", tangent, self.pressed[i]))
 
     def _shifted(self, subject: Subject, k: int) -> Sequence[ContactRow]:
         """Return the rows of contacts whose points are one further along a tangent."""
@@ -165,19 +167,20 @@ class _Balance:
         ]
         return rows_of(with_contacts(subject, moved)).contacts
 
-    def _rubbing(self, i: int, row: ContactRow) -> RationalVector:
-        """Return what a contact with friction adds for each unit of its normal force."""
-        slips = [dot(tangent, self.near.motion) for tangent in row.tangential_wrenches]
-        if not any(slips) or len(slips) > 1:
-            for k, tangent in enumerate(row.tangential_wrenches):
-                self.columns.append(_Column(i, k, "friction", tangent, self.pressed[i]))
-            return row.normal_wrench
-        pull = -row.friction if slips[0] > 0 else row.friction
-        pairs = zip(row.normal_wrench, row.tangential_wrenches[0], strict=True)
-        return tuple(x + pull * y for x, y in pairs)
+    def _state(self, i: int, is_smooth: bool) -> State:
+        """Return what a contact does: in space, and where it sticks, friction is not known."""
+        tangents = self.rows[i].tangential_wrenches
+        slips = [dot(tangent, self.near.motion) for tangent in tangents]
+        if i not in self.pressed:
+            return "detached"
+        if is_smooth:
+            return ContactState("attached", share=(0,) * len(slips))
+        if any(slips) and len(slips) == 1:
+            return "slip+" if slips[0] > 0 else "slip-"
+        return ContactState.of("stick", len(slips))
 
     def _chosen(self) -> list[_Column]:
-        """Return shifts, as many as there are motions that no contact resists, and frictions."""
+        """Return frictions, and as many shifts as there are motions that no contact resists."""
         frictions = [column for column in self.columns if column.kind == "friction"]
         shifts = [column for column in self.columns if column.kind == "shift"]
         felt = [self.rows[i].normal_wrench for i in self.pressed]
@@ -198,24 +201,18 @@ class _Balance:
             way = works[best] / lengths[best]
             works = works - np.outer(works @ way, way)
             works[best] = 0.0
-        return [*best_shifts, *frictions]
+        return [*frictions, *best_shifts]
 
     def _equations(self, chosen: Sequence[_Column]) -> list[list[Fraction]]:
-        """Return equations for the motion and columns, the constant last."""
-        n, right = self.rows.n, [*self.load]
-        left = [[Fraction(0)] * n for _ in range(n)]
-        for i, arm in self.spring.items():
-            row = self.rows[i]
-            for j, x in enumerate(arm):
-                right[j] += row.preload * x
-                for k, y in enumerate(row.normal_wrench):
-                    left[j][k] -= row.stiffness * x * y
-        balance = [
-            [*left[j], *(column.wrench[j] for column in chosen), -right[j]] for j in range(n)
-        ]
-        none = [Fraction(0)] * (len(chosen) + 1)
-        still = (column.wrench for column in chosen if column.kind in ("shift", "friction"))
-        return [*balance, *([*row, *none] for row in still)]
+        """Return equations for the motion and columns, what they are equal to last."""
+        n, none = self.rows.n, [Fraction(0)] * (len(chosen) + 1)
+        rows = [list(map(fraction, row)) for row in self.program.equations]
+        more = chosen[len(self.program.unknowns) :]
+        # The balance is last.
+        added = [[Fraction(0)] * len(more) for _ in range(len(rows) - n)]
+        added += [[column.wrench[j] for column in more] for j in range(n)]
+        still = ([*column.wrench, *none] for column in more if column.kind == "shift")
+        return [[*row[:-1], *x, -row[-1]] for row, x in zip(rows, added, strict=True)] + [*still]
 
     def _sizes(self, chosen: Sequence[_Column]) -> list[Fraction]:
         """Return typical sizes of the unknowns: in these units the least ones are taken."""
