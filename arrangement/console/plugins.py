@@ -1,7 +1,7 @@
-"""Functions of higher packages that lower ones call: by kind of file, by method, by public name.
+"""The registry of functions that lower packages call in higher ones, and names that load lazily.
 
-Each is named by a text ``package.module:function`` and imported when it is called. A package that
-is not installed adds nothing.
+An entry is a text ``package.module:function``, which is imported when it is called. A package that
+is not installed has no entries.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any
 
 from arrangement.errors import missing_attribute
 
-#: What packages add: for each kind the names, and where the function behind each is.
+#: For each kind of entry its names, each with the place of a function.
 _ADDED: Mapping[str, Mapping[str, str]] = {
     # Keys by which the kind of a document is recognised, and functions from a document to an
     # `Arrangement`.
@@ -29,31 +29,31 @@ _ADDED: Mapping[str, Mapping[str, str]] = {
     },
 }
 
-#: Methods that work above their class, such as "Grasp.draw", and where that is which they call.
+#: Methods such as "Grasp.draw" whose code is in a higher package, with the place of that code.
 _ATTACHED: dict[str, str] = {}
 
 
 def attach(places: Mapping[str, str]) -> None:
-    """Register methods that work above their class, as a package does that has all its layers.
+    """Register methods whose code is in a higher package.
 
     Args:
-        places: for each method, as ``Class.method``, what it calls, as ``package.module:name``.
+        places: for each ``Class.method`` what it calls, as ``package.module:name``.
     """
     _ATTACHED.update(places)
 
 
 def attached(method: str) -> Any:
-    """Return what is registered for a method."""
+    """Return the function that is registered for a method."""
     return named(_ATTACHED[method])
 
 
 def added(kind: str) -> dict[str, str]:
-    """Return what the packages that are there add of a kind: names, for `named`."""
+    """Return the entries of a kind, of the packages that are installed."""
     return {key: place for key, place in _ADDED[kind].items() if find_spec(place.split(".")[0])}
 
 
 def named(place: str) -> Any:
-    """Return what a text such as ``package.module:function`` names."""
+    """Import and return an object by its place, such as ``package.module:function``."""
     module, _, name = place.partition(":")
     return getattr(import_module(module), name)
 

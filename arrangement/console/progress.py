@@ -51,7 +51,7 @@ def on_terminal() -> bool:
 
 @contextmanager
 def shown(wanted: bool = True, notes: bool = True) -> Iterator[None]:
-    """Let the loops over `watched` items inside show their line, or keep them quiet.
+    """Show the lines of loops over `watched` items inside, or none of them.
 
     Args:
         notes: whether `note` prints as well.
@@ -155,7 +155,7 @@ class Bar:
             print(self.text(), file=sys.stderr, flush=True)
 
     def close(self) -> None:
-        """Take the line away."""
+        """Erase the line."""
         if self._drawn is not None:
             print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 

@@ -93,14 +93,14 @@ def indices(arrangement: Planes, planes: Indices) -> tuple[int, ...]:
     return chosen
 
 
-def flats_foreseen(planes: int, rank: int, known: int, found: float) -> float:
+def flats_foreseen(planes: int, rank: int, known: int, flats: float) -> float:
     """Return about how many flats of a rank there are, where this many of a known rank were found.
 
     In general position C(m, k) flats have the rank k. Of special planes it is a share near
     s^(k(k-1)/2), where s is known from the second rank on: measured on braids, resonance
     arrangements and random small normals.
     """
-    share = (found / max(1, budget.choose(planes, known))) ** (1 / max(1, known * (known - 1)))
+    share = (flats / max(1, budget.choose(planes, known))) ** (1 / max(1, known * (known - 1)))
     foreseen: float = budget.choose(planes, rank) * share ** (rank * (rank - 1))
     return foreseen
 

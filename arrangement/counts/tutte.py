@@ -1,8 +1,8 @@
-"""The Tutte polynomial by deletion and contraction, and sets without broken circuits.
+"""The Tutte polynomial by deletion and contraction, and the sets without broken circuits.
 
-Both work on the vectors of planes in the quotient by a flat, without a lattice or its Moebius
-function. Affine planes are a semimatroid: only sets with a common point count, which are those
-whose span does not contain infinity.
+Both contract a plane by projecting the other normals along it; neither uses the lattice of flats or
+its Moebius function. Affine planes form a semimatroid: the sums run over the sets of planes with a
+common point.
 """
 
 from __future__ import annotations
@@ -114,13 +114,13 @@ def nbc_sets(arrangement: Planes) -> tuple[tuple[tuple[int, ...], ...], ...]:
     """
     config = configuration(arrangement)
     _check_cost("the sets without broken circuits", len(config.vectors), arrangement.rank)
-    found: list[list[tuple[int, ...]]] = [[] for _ in range(arrangement.rank + 1)]
+    by_size: list[list[tuple[int, ...]]] = [[] for _ in range(arrangement.rank + 1)]
 
     def extend(
         chosen: tuple[int, ...], rows: Sequence[IntegerVector], far: IntegerVector | None
     ) -> None:
         """Add planes before the first chosen one; `rows` are in the quotient by those chosen."""
-        found[len(chosen)].append(chosen)
+        by_size[len(chosen)].append(chosen)
         for i, row in enumerate(rows):
             if row != far and row not in rows[:i]:
                 below = [_quotient(vector, row) for vector in rows[:i]]
@@ -128,7 +128,7 @@ def nbc_sets(arrangement: Planes) -> tuple[tuple[tuple[int, ...], ...], ...]:
                 extend((arrangement.firsts[i], *chosen), below, nearer)
 
     extend((), [*map(unoriented, config.vectors)], config.infinity)
-    return tuple(tuple(sorted(sets)) for sets in found)
+    return tuple(tuple(sorted(sets)) for sets in by_size)
 
 
 def _quotient(vector: IntegerVector, by: IntegerVector) -> IntegerVector:

@@ -272,7 +272,7 @@ class Labels:
         return self._off
 
     def avoid(self, *lines: Any) -> None:
-        """Keep labels off lines through points (k, 2), where that can be."""
+        """Add lines, each through points (k, 2), that labels should not cover."""
         self._lines += map(np.asarray, lines)
         self._off = None
 

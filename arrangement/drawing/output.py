@@ -1,6 +1,6 @@
-"""The files of pictures: their formats by suffix, fonts, settings of matplotlib, the same bytes.
+"""Write figures as files: format by suffix, embedded fonts, reproducible bytes.
 
-matplotlib, Pillow and ffmpeg are looked for when a picture is written.
+matplotlib, Pillow and ffmpeg are imported or searched for when a picture is written.
 """
 
 from __future__ import annotations

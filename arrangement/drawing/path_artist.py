@@ -187,7 +187,7 @@ def into(place: Room, make: Callable[[float], Scene]) -> Figure:
 
 
 def _set_coordinates(axes: Any, scene: Scene, panel: int) -> None:
-    """Give axes the coordinates of a panel, where these are to scale, else points of the sheet."""
+    """Set limits of axes: coordinates of a panel where it is to scale, else points of the sheet."""
     ends: Any = (0.0, 0.0), (scene.width, scene.height)
     if scene.maps and scene.maps[panel].is_to_scale:
         ends = [scene.maps[panel].back(end) for end in ends]

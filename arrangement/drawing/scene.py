@@ -130,7 +130,7 @@ class Item:
 
     @property
     def height(self) -> float:
-        """The order in which all items of a scene are painted; equal ones as they were added."""
+        """The z-order: lower items are painted first, equal ones in the order of their adding."""
         return self.order if self.order is not None else 2.0 if isinstance(self, Mark) else 1.0
 
 
@@ -494,7 +494,7 @@ class Scene:
     """
 
     def __init__(self, width: float, height: float) -> None:
-        """Take width and height in millimetres."""
+        """Make an empty scene; width and height are in millimetres."""
         require_matplotlib()
         self.paper = width, height
         self.width, self.height = width * POINTS, height * POINTS

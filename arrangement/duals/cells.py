@@ -290,7 +290,7 @@ class _Knife:
         self.values: list[int] = []
 
     def take(self, label: int, plane: IntegerVector) -> None:
-        """Take the next plane, ``(a, b, c, d)`` for ``a x + b y + c z + d w = 0``."""
+        """Set the plane that cuts, ``(a, b, c, d)`` for ``a x + b y + c z + d w = 0``."""
         a, b, c, d = plane
         self.label = label
         self.values = [a * x + b * y + c * z + d * w for x, y, z, w in self.points]

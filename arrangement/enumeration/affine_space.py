@@ -623,9 +623,9 @@ def _central_levels(planes: Planes) -> tuple[Level, ...]:
         """Return faces in R^4 on one side of the first plane, or on it."""
 
         def signs(rows: Rows) -> Signs:
-            found = level.signs(rows)
-            whole = np.repeat(side * sides[None], len(found), axis=0)
-            whole[:, others] = found * (side or 1)
+            rest = level.signs(rows)
+            whole = np.repeat(side * sides[None], len(rest), axis=0)
+            whole[:, others] = rest * (side or 1)
             return whole
 
         def points(rows: Rows) -> Integers:

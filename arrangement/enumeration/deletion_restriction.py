@@ -316,14 +316,14 @@ def sectors(lines: Arrangements, units: Words) -> HalfRegions:
     return _keep(HalfRegions(signs, scaled(points), owner), lines, units)
 
 
-def _keep(found: HalfRegions, lines: Arrangements, units: Words) -> HalfRegions:
+def _keep(halves: HalfRegions, lines: Arrangements, units: Words) -> HalfRegions:
     """Return those of all regions that are on the positive side of the first hyperplanes."""
-    several = np.flatnonzero(lines.sides[found.of] > 1)
+    several = np.flatnonzero(lines.sides[halves.of] > 1)
     if not len(several):
-        return found
-    check(found.chosen(several), lines)
-    sides = np.cumsum(units, axis=0)[lines.sides - 1][found.of]
-    return found.chosen(np.flatnonzero(((found.signs & sides) == sides).all(axis=1)))
+        return halves
+    check(halves.chosen(several), lines)
+    sides = np.cumsum(units, axis=0)[lines.sides - 1][halves.of]
+    return halves.chosen(np.flatnonzero(((halves.signs & sides) == sides).all(axis=1)))
 
 
 def dot(left: Floats, right: Floats) -> Floats:
@@ -352,15 +352,15 @@ def margin(d: int) -> float:
     return 2 * d * (d + 2) * UNIT
 
 
-def check(found: HalfRegions, arrangements: Arrangements) -> None:
+def check(halves: HalfRegions, arrangements: Arrangements) -> None:
     """Compare every sign of every point with a bound on its rounding error."""
     d, m = arrangements.dimension, int(arrangements.sizes.max(initial=1))
     starts, last, least = arrangements.starts, len(arrangements.floats) - 1, margin(d)
-    for part in chunks(len(found.of), max(1, _PRODUCTS // (m * d))):
-        of = found.of[part]
+    for part in chunks(len(halves.of), max(1, _PRODUCTS // (m * d))):
+        of = halves.of[part]
         rows = np.minimum(starts[of, None] + np.arange(m), last)
-        products = dot(found.points[part, None], arrangements.floats[rows])
-        sides = unpack(found.signs[part], m)
+        products = dot(halves.points[part, None], arrangements.floats[rows])
+        sides = unpack(halves.signs[part], m)
         sure = np.where(sides, products > least, products < -least)
         if not (sure | (np.arange(m) >= arrangements.sizes[of, None])).all():
             raise TooCloseError
@@ -546,10 +546,10 @@ def _in_planes(above: Arrangements, units: Words) -> tuple[HalfRegions, Restrict
     parts, maps, arrangements, regions = [], [], 0, 0
     for onto in watched(portions(above), "portions of restrictions"):
         lines, restrictions = restricted(above, onto)
-        found = sectors(lines, units)
-        there = np.bincount(found.of, minlength=len(lines.sizes)) > 0
-        of = arrangements + (np.cumsum(there) - 1)[found.of]
-        parts.append(HalfRegions(found.signs, found.points, of))
+        halves = sectors(lines, units)
+        there = np.bincount(halves.of, minlength=len(lines.sizes)) > 0
+        of = arrangements + (np.cumsum(there) - 1)[halves.of]
+        parts.append(HalfRegions(halves.signs, halves.points, of))
         maps.append(restrictions.chosen(there))
         arrangements += int(there.sum())
         regions += len(of)
@@ -587,12 +587,12 @@ def _first_points(arrangements: Arrangements) -> tuple[Floats, Bits]:
     return points, there
 
 
-def _as_level(planes: Planes, rows: Sequence[IntegerVector], found: HalfRegions) -> Level:
+def _as_level(planes: Planes, rows: Sequence[IntegerVector], halves: HalfRegions) -> Level:
     """Return the regions over all input planes; of central ones the opposites, too."""
     infinity = len(rows) - len(planes.distinct)  # 1 or 0 planes
     columns = np.array(planes.class_of, np.intp) + infinity
     orientation = np.array(planes.orientation, np.int8)
-    half = len(found.points)
+    half = len(halves.points)
     count = half if infinity else 2 * half
 
     def chosen(rows: Rows) -> tuple[NDArray[np.intp], NDArray[np.int8]]:
@@ -601,14 +601,14 @@ def _as_level(planes: Planes, rows: Sequence[IntegerVector], found: HalfRegions)
 
     def signs(at: Rows) -> Signs:
         place, side = chosen(at)
-        bits = unpack(found.signs[place], len(rows)).view(np.int8)
+        bits = unpack(halves.signs[place], len(rows)).view(np.int8)
         return (2 * bits - 1)[:, columns] * orientation * side
 
     def points(at: Rows) -> Integers:
         place, side = chosen(at)
         whole = np.concatenate(
             [
-                _integral(found.points[part], rows, unpack(found.signs[part], len(rows)))
+                _integral(halves.points[part], rows, unpack(halves.signs[part], len(rows)))
                 for part in (place[piece] for piece in chunks(max(1, len(place)), _PORTION))
             ]
         )

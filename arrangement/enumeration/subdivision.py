@@ -140,7 +140,7 @@ class Sheet:
     """
 
     def __init__(self, rows: Iterable[Sequence[Any]]) -> None:
-        """Take lines as rows."""
+        """Build the great circles of lines, given as rows."""
         self.rows = list(rows)
         planes = Planes([*((a, b, -c) for a, b, c in self.rows), (0, 0, 1)])
         check_engine(planes, ENGINES["great-circles"])
@@ -168,7 +168,7 @@ class Sheet:
         return np.array([float(x / w), float(y / w)])
 
     def draw(self, drawn: _Truth, is_end: _Truth) -> None:
-        """Take which of the arcs in front are drawn, and join what these do not separate.
+        """Mark arcs in front as drawn, and join the regions that these do not separate.
 
         Args:
             is_end: which vertices are such even where an arc only goes on.

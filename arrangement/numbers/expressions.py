@@ -166,7 +166,7 @@ class _Reader:
         return expression
 
     def _next(self, *signs: str) -> str:
-        """Take the next token if it is one of some signs."""
+        """Return the next token and pass it, if it is one of some signs; else ""."""
         if self.tokens and self.tokens[0][0] == "sign" and self.tokens[0][1] in signs:
             return self.tokens.pop(0)[1]
         return ""

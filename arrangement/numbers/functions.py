@@ -324,8 +324,8 @@ def signs_on(polynomial: fmpq_poly, span: Span) -> tuple[set[int], list[tuple[Fr
     # Between two roots, or a root and an end, there is one sign.
     cuts = [low, *(x for pair in roots for x in pair), high]
     signs |= {_sign(polynomial((x + y) / 2)) for x, y in list(pairwise(cuts))[::2]}
-    found = sorted([*roots, *at_ends])
-    return signs, [(_fraction(x), _fraction(y)) for x, y in found]
+    intervals = sorted([*roots, *at_ends])
+    return signs, [(_fraction(x), _fraction(y)) for x, y in intervals]
 
 
 def _roots(squarefree: fmpq_poly, low: fmpq, high: fmpq) -> Iterator[tuple[fmpq, fmpq]]:

@@ -442,7 +442,7 @@ class Disc:
         return self.on_paper(self.drawn.place(direction / np.linalg.norm(direction)))
 
     def map_points(self, moved: Callable[[Floats], Floats]) -> None:
-        """Tell the scene where points of the model are, which are moved to where they are drawn."""
+        """Register in the scene where points of the model are drawn, after a move."""
         self.scene.maps.append(PageMap(place=lambda point: self.place(moved(point)), size=3))
 
     def draw(

@@ -292,7 +292,7 @@ class GraphPicture:
         colour: Choice | None = None,
         least: float = 0.0,
     ) -> None:
-        """Take the least margin in points, too."""
+        """Draw a graph on a scene, with at least this margin in points."""
         self.arrangement, self.graph, self.scene, self.names = arrangement, graph, scene, names
         pairs = [(u, v) for u, v, _ in graph.edges]
         degrees = np.bincount(np.ravel(pairs).astype(int), minlength=len(graph.signs)).tolist()

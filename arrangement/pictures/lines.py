@@ -240,7 +240,7 @@ class LinesChart:
     """
 
     def __init__(self, lines: Arrangement, window: Sequence[RationalVector] = ()) -> None:
-        """Take lines, and opposite corners of the window, if it is not to be chosen."""
+        """Choose a window for lines, or use the one with these opposite corners."""
         self.lines, self.count = lines, len(lines)
         chosen = LineWindow.between(lines, window) if window else LineWindow.of(lines)
         self.left_out, unit = chosen.left_out, chosen.unit
@@ -357,7 +357,7 @@ class PolygonChart(LinesChart):
     def __init__(
         self, lines: Arrangement, sides: Planes, window: Sequence[RationalVector] = ()
     ) -> None:
-        """Take the sides of a polygon, with it on the positive side of each."""
+        """Add the sides of a polygon, which is on the positive side of each."""
         corners = Arrangement(sides.normals, sides.offsets).regions(sides)
         if not len(corners):
             raise InputError(
@@ -609,7 +609,7 @@ class _Sheet:
         raise NotImplementedError
 
     def map_points(self, moved: Callable[[Floats], Floats] | None) -> None:
-        """Tell the scene where points of the plane are, which are moved to where they are drawn."""
+        """Register in the scene where points of the plane are drawn, after a move."""
         raise NotImplementedError
 
 

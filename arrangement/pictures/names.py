@@ -53,7 +53,12 @@ class RegionLabels:
         most: int = MOST,
         items: str = "",
     ) -> None:
-        """Take the number of regions drawn, if not all, and that up to which they have labels."""
+        """Choose the names.
+
+        Args:
+            count: of the regions that are drawn, if not all are.
+            most: regions that have labels of themselves; more have none.
+        """
         self.items = items or items_of(arrangement)
         self.arrangement, self._own = arrangement, None
         if labels is not None and labels not in LABELS:

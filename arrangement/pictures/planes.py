@@ -184,9 +184,11 @@ class PlanesSheet(SolidSheet):
         *,
         apart: bool = False,
     ) -> None:
-        """Take the width in millimetres.
+        """Draw a stage.
 
-        `apart` says that all cells are lifted, each inside its cone, and nothing else is drawn.
+        Args:
+            width: in millimetres.
+            apart: whether all cells are lifted, each inside its cone, and nothing else is drawn.
         """
         self.half_axes, self.apart = axes, apart
         self.stage, self.lifted, self.paint = stage, lifted, paint

@@ -50,7 +50,7 @@ def draw_segments(segments: Segments, *, width: float = 88.0) -> Scene:
             corners = sheet.sphere.incidence.origin[sheet.sphere.incidence.boundary(region)]
             outline = np.array([shift + scale * sheet.place(v) for v in corners.tolist()])
             parts.setdefault(own, []).append(shapely.Polygon(outline))
-    areas = [(shapely.unary_union(found), own) for own, found in parts.items()]
+    areas = [(shapely.unary_union(polygons), own) for own, polygons in parts.items()]
     # A cell in a hole of another one comes after it.
     areas.sort(key=lambda cell: -shapely.Polygon(cell[0].exterior).area)
     for number, (area, own) in enumerate(areas, 1):

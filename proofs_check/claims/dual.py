@@ -68,9 +68,9 @@ def _rank_three(rng: random.Random) -> Iterator[Case]:
 
 
 def _planar_by_networkx(planes: Arrangement) -> tuple[bool, bool]:
-    found = _faces_graph(planes)
-    numbers = {vertex: k for k, vertex in enumerate(found.vertices)}
-    graph = nx.Graph([[numbers[vertex] for vertex in edge] for edge in found.edges])
+    faces = _faces_graph(planes)
+    numbers = {vertex: k for k, vertex in enumerate(faces.vertices)}
+    graph = nx.Graph([[numbers[vertex] for vertex in edge] for edge in faces.edges])
     graph.add_nodes_from(numbers.values())
     planar, _ = nx.check_planarity(graph)
     return bool(planar), len(graph) > 3 and all(
@@ -111,10 +111,10 @@ def _hamming(graph: DualGraph) -> tuple[int, int, bool]:
 
 def _published_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:
     """Lengths in the basis that Step 3 finds, and whether its cycles are the face boundaries."""
-    found = published_enumeration(planes, merge=True)
-    lines = sorted(found.lines)
+    steps = published_enumeration(planes, merge=True)
+    lines = sorted(steps.lines)
     true = sorted(face.signs for face in planes.faces(1))
-    return tuple(sorted(map(len, found.cycles[:-1]))), bool(lines) and lines == true
+    return tuple(sorted(map(len, steps.cycles[:-1]))), bool(lines) and lines == true
 
 
 def _horton_cycles(planes: Arrangement) -> tuple[tuple[int, ...], bool]:

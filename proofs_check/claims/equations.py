@@ -99,8 +99,8 @@ def _listed_pair(options: Collection[str], question: Question) -> Pair:
         detachment="detachment" not in options,
         all_stick="all-stick" not in options,
     )
-    found = oracle.stable(question, _reading(options), states)
-    return _WORD[found], _by_oracle((), question)
+    stable = oracle.stable(question, _reading(options), states)
+    return _WORD[stable], _by_oracle((), question)
 
 
 def _pair_by_oracle(options: Collection[str], question: Question) -> Pair:
@@ -122,7 +122,9 @@ def _normal_forces_solved(question: Question) -> tuple[tuple[Interval, ...], ...
 
 def _single(_question: Question, forces: tuple[tuple[Interval, ...], ...]) -> bool:
     """At most one value for every normal force."""
-    return all(len(found) <= 1 and all(low == high for low, high in found) for found in forces)
+    return all(
+        len(intervals) <= 1 and all(low == high for low, high in intervals) for intervals in forces
+    )
 
 
 def _count_equations(case: tuple[int, int]) -> int:

@@ -99,7 +99,7 @@ def _choices_of_faces(grasp: Grasp, closed: bool = False) -> set[tuple[int | str
     With closed conditions a state goes on to the boundary of its motions.
     """
     m = len(grasp)
-    found: set[tuple[int | str, ...]] = set()
+    choices: set[tuple[int | str, ...]] = set()
     for face in grasp.motion_arrangement().faces():
         options: list[list[tuple[int | str, ...]]] = []
         for slip, side in zip(face.signs[:m], face.signs[m:], strict=True):
@@ -107,8 +107,8 @@ def _choices_of_faces(grasp: Grasp, closed: bool = False) -> set[tuple[int | str
             detached: list[tuple[int | str, ...]] = [("detached",)] if side >= 0 else []
             attached = side < 0 or (closed and not side)
             options.append(detached + [("attached", s) for s in slips if attached])
-        found |= {tuple(chain.from_iterable(chosen)) for chosen in product(*options)}
-    return found
+        choices |= {tuple(chain.from_iterable(chosen)) for chosen in product(*options)}
+    return choices
 
 
 def _nodes_of_faces(closed: bool, grasp: Grasp) -> int:

@@ -107,7 +107,7 @@ def _boxed_by_programs(finger: _Finger) -> _Pair:
     unit = [[Fraction(int(i == j)) for j in range(6)] for i in range(6)]
     box = [[s * x for x in row] + [Fraction(_MOTION)] for row in unit for s in (1, -1)]
     spring = [-k * x for x in normal]
-    found = False
+    solvable = False
     for touches in (True, False):
         sign = 1 if touches else -1
         rows = [*box, [sign * x for x in spring] + [Fraction(0)]]
@@ -119,8 +119,8 @@ def _boxed_by_programs(finger: _Finger) -> _Pair:
             [along * x for x in force[:-1]] + [load]
             for along, load in zip(normal, wrench, strict=True)
         ]
-        found = found or some_point(6, rows, balance) is not None
-    return solve(Grasp([contact]), wrench).stable, found
+        solvable = solvable or some_point(6, rows, balance) is not None
+    return solve(Grasp([contact]), wrench).stable, solvable
 
 
 def _boxed_by_hand(finger: _Finger) -> _Pair:
@@ -254,7 +254,7 @@ def _apart(question: BodiesQuestion) -> list[Question]:
     upper = tuple(map(Fraction, question.wrench["upper"]))
     own = zip(map(Fraction, question.wrench["lower"]), upper, strict=True)
     loads = {None: tuple(x + y for x, y in own), "lower": upper}
-    found = []
+    questions = []
     for below, load in loads.items():
         rows = [c for c in question.document["contacts"] if c["body_b"] == below]
         values = ("friction", "stiffness", "preload")
@@ -262,8 +262,8 @@ def _apart(question: BodiesQuestion) -> list[Question]:
         numbers = [
             (*c["point"], *c["normal"], *(c.get(x, defaults.get(x)) for x in values)) for c in rows
         ]
-        found.append(Question(tuple(tuple(map(Fraction, row)) for row in numbers), load))
-    return found
+        questions.append(Question(tuple(tuple(map(Fraction, row)) for row in numbers), load))
+    return questions
 
 
 def _bodies_solved(question: BodiesQuestion) -> bool:

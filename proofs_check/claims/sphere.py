@@ -95,8 +95,8 @@ class Chosen:
 
 def _edge_counts_by_hull(chosen: Chosen) -> tuple[int, int]:
     """Adjacencies that are not edges of the hull, and edges of it that are not adjacencies."""
-    found = representative_hull(dual_polyhedron(chosen.planes), chosen.points)
-    return len(found.missing), len(found.hull.true_edges - found.adjacencies)
+    graphs = representative_hull(dual_polyhedron(chosen.planes), chosen.points)
+    return len(graphs.missing), len(graphs.hull.true_edges - graphs.adjacencies)
 
 
 def _edge_counts_by_supports(chosen: Chosen) -> tuple[int, int]:

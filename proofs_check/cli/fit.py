@@ -37,7 +37,7 @@ def run_fit(arguments: argparse.Namespace) -> int:
         raise OwnClaimError(
             "the instances are missing; give --of 'generic(m=2..9)', or give FILE.py:ID"
         )
-    found = fit(values.found, values.name)
+    formula = fit(values.found, values.name)
     if arguments.json:
         terminal.print_json(
             {
@@ -45,22 +45,22 @@ def run_fit(arguments: argparse.Namespace) -> int:
                 "family": values.family,
                 "parameter": values.name,
                 "values": [[n, plain(value)] for n, value in values.found.items()],
-                "fit": found
+                "fit": formula
                 and {
-                    "period": found.period,
-                    "degree": found.degree,
-                    "formulas": [{"class": k, "formula": x} for k, x in found.parts.items()],
-                    "fitted_on": list(found.fitted),
-                    "checked_on": list(found.checked),
+                    "period": formula.period,
+                    "degree": formula.degree,
+                    "formulas": [{"class": k, "formula": x} for k, x in formula.parts.items()],
+                    "fitted_on": list(formula.fitted),
+                    "checked_on": list(formula.checked),
                 },
             }
         )
-        return terminal.YES if found else terminal.NO
+        return terminal.YES if formula else terminal.NO
     name = values.name
     rows = [("values", ", ".join(value_text(plain(value)) for value in values.found.values()))]
-    if found:
-        made, checked = span(found.fitted, ", "), span(found.checked, ", ")
-        rows.append(("fits", f"{found.text(name)} on {name} = {made}, checked on {checked}"))
+    if formula:
+        made, checked = span(formula.fitted, ", "), span(formula.checked, ", ")
+        rows.append(("fits", f"{formula.text(name)} on {name} = {made}, checked on {checked}"))
         rows.append(("proved", "no"))
     else:
         rows.append(
@@ -72,4 +72,4 @@ def run_fit(arguments: argparse.Namespace) -> int:
         )
     print(f"{values.quantity} on {values.family}")
     print("\n".join(table(rows, width(), "  ")))
-    return terminal.YES if found else terminal.NO
+    return terminal.YES if formula else terminal.NO

@@ -52,7 +52,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 def _class(
     exercises: Mapping[str, Exercise],
-    found: Mapping[str, dict[str, GradedAnswer] | InputError],
+    marks_by_file: Mapping[str, dict[str, GradedAnswer] | InputError],
     arguments: argparse.Namespace,
 ) -> int:
     """Print the points of a class, a line a student, and write them as CSV.
@@ -61,9 +61,9 @@ def _class(
         InputError: a file could not be marked; this is said after all others are.
     """
     students = arguments.students
-    rows = ClassList.read(students, found) if students else ClassList.of(found)
+    rows = ClassList.read(students, marks_by_file) if students else ClassList.of(marks_by_file)
     nothing = {id: GradedAnswer(Fraction(), one.points, _NOTHING) for id, one in exercises.items()}
-    marked = {row[0]: found.get(row[0], nothing) for row in rows.rows}
+    marked = {row[0]: marks_by_file.get(row[0], nothing) for row in rows.rows}
     if arguments.output:
         columns = [*exercises, "total", "error"]
         results = {name: _results(marks, exercises) for name, marks in marked.items()}

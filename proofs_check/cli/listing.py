@@ -34,11 +34,11 @@ def list_claims(arguments: argparse.Namespace) -> int:
 
     file, id = claim_file.split(arguments.source) if arguments.source else (None, "")
     if id:
-        found = claim_file.named(arguments.source)[0] if file else claims.registry()[id]
+        entry = claim_file.named(arguments.source)[0] if file else claims.registry()[id]
         if arguments.json:
-            terminal.print_json(report.claim_record(found))
+            terminal.print_json(report.claim_record(entry))
         else:
-            print(_description(found, width()))
+            print(_description(entry, width()))
         return terminal.YES
     known = list(claim_file.named(arguments.source) if file else claims.registry())
     if arguments.json:

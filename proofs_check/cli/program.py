@@ -366,7 +366,7 @@ def _add_output(parser: argparse.ArgumentParser, *, remark: str) -> None:
 
 def _range(text: str) -> tuple[int, int]:
     """Read 3..12, or 5 for 5..5."""
-    found = re.fullmatch(r"([0-9]{1,6})(?:\.\.([0-9]{1,6}))?", text, re.ASCII)
-    if found is None:
+    match = re.fullmatch(r"([0-9]{1,6})(?:\.\.([0-9]{1,6}))?", text, re.ASCII)
+    if match is None:
         raise argparse.ArgumentTypeError(f"{text!r} is not a range; write 3..12")
-    return int(found[1]), int(found[2] or found[1])
+    return int(match[1]), int(match[2] or match[1])

@@ -96,27 +96,27 @@ def _summary(record: dict[str, Any]) -> str:
 def _status(arguments: argparse.Namespace) -> int:
     """Print how far a sweep is; exit code 0 when it is complete."""
     with store.read(arguments.store) as opened:
-        found = sweepreport.status(opened)
+        status = sweepreport.status(opened)
     if arguments.json:
-        terminal.print_json(found)
-        return terminal.YES if found["complete"] else terminal.NO
-    outcomes = ", ".join(f"{kind} {number}" for kind, number in found["outcomes"].items())
-    print(f"claim    {found['claim']}")
-    print(f"chunks   {found['chunks']} of {found['chunks_due']}")
-    print(f"samples  {found['samples']} of {found['samples_due']}: {outcomes}")
-    print(f"work     {duration(found['milliseconds'] / 1000)} of one process")
-    return terminal.YES if found["complete"] else terminal.NO
+        terminal.print_json(status)
+        return terminal.YES if status["complete"] else terminal.NO
+    outcomes = ", ".join(f"{kind} {number}" for kind, number in status["outcomes"].items())
+    print(f"claim    {status['claim']}")
+    print(f"chunks   {status['chunks']} of {status['chunks_due']}")
+    print(f"samples  {status['samples']} of {status['samples_due']}: {outcomes}")
+    print(f"work     {duration(status['milliseconds'] / 1000)} of one process")
+    return terminal.YES if status["complete"] else terminal.NO
 
 
 def _merge(arguments: argparse.Namespace) -> int:
     """Put the chunks of several stores into one."""
     new = merge(arguments.store, arguments.merge)
     with store.read(arguments.store) as opened:
-        found = sweepreport.status(opened)
+        status = sweepreport.status(opened)
     if arguments.json:
-        terminal.print_json({"new": new, **found})
+        terminal.print_json({"new": new, **status})
     else:
-        print(f"{new} new chunks; {found['chunks']} of {found['chunks_due']} are there")
+        print(f"{new} new chunks; {status['chunks']} of {status['chunks_due']} are there")
     return terminal.YES
 
 

@@ -78,22 +78,22 @@ class Exercise(ReprMixin):
         except InputError as error:
             return self._graded(0, str(error))
         try:
-            found = self.judge(given)
+            judgement = self.judge(given)
         except Exception as error:
             where = line_of(error, self.judge.__code__.co_filename)
             text = f"{type(error).__name__}: {error}"
             raise OwnClaimError(f"{self.id} raised {text} ({where})") from error
-        match found:
+        match judgement:
             case Report():
-                return self._graded(0, found.problem)
+                return self._graded(0, judgement.problem)
             case bool():
-                return self._graded(0, "" if found else "wrong")
+                return self._graded(0, "" if judgement else "wrong")
             case (points, text) if self._is_part(points) and isinstance(text, str) and text:
                 return self._graded(Fraction(points), text)
-            case str() if found:
-                return self._graded(0, found)
+            case str() if judgement:
+                return self._graded(0, judgement)
         raise OwnClaimError(
-            f"{self.id} returned {shown(found)}; return True, False, the report of "
+            f"{self.id} returned {shown(judgement)}; return True, False, the report of "
             "`verify`, a text that describes the error, or a pair of points below "
             f"{self.points} and such a text"
         )
@@ -161,9 +161,9 @@ def load_exercises(path: str) -> dict[str, Exercise]:
             name: Exercise(name, task, "link", 1, judge)
             for name, (task, judge) in lab_judges(path).items()
         }
-    found = defined(path, Exercise, "exercises; decorate a function with @exercise(...)")
-    named = {one.id: one for one in found}
-    if len(named) < len(found):
+    exercises = defined(path, Exercise, "exercises; decorate a function with @exercise(...)")
+    named = {one.id: one for one in exercises}
+    if len(named) < len(exercises):
         raise OwnClaimError(f"{path} has two exercises with one id")
     return named
 
@@ -215,13 +215,13 @@ def grade_folder(
     files = sorted(folder.glob("*.json"))
     if not files:
         raise InputError(f"{folder} has no files of answers; their names end with .json")
-    found: dict[str, dict[str, GradedAnswer] | InputError] = {}
+    graded: dict[str, dict[str, GradedAnswer] | InputError] = {}
     for file in files:
         try:
-            found[file.stem] = grade(exercises, file)
+            graded[file.stem] = grade(exercises, file)
         except InputError as error:
-            found[file.stem] = error
-    return found
+            graded[file.stem] = error
+    return graded
 
 
 def _states(answer: Any) -> frozenset[tuple[str, ...]]:

@@ -25,7 +25,7 @@ def by_dual(planes: Arrangement) -> int:
 def by_determinants(planes: Arrangement) -> int:
     """Octants of three planes that no other plane cuts, by signs of determinants."""
     rows = [plane[:3] for plane in planes.integer_planes]
-    found = 0
+    count = 0
     for chosen in combinations(range(len(rows)), 3):
         a, b, c = (rows[i] for i in chosen)
         others = [row for i, row in enumerate(rows) if i not in chosen]
@@ -34,8 +34,8 @@ def by_determinants(planes: Arrangement) -> int:
             sides = [
                 {s * dot(row, v) > 0 for s, v in zip(signs, corners, strict=True)} for row in others
             ]
-            found += all(len(side) == 1 for side in sides)
-    return found
+            count += all(len(side) == 1 for side in sides)
+    return count
 
 
 @claim(

@@ -30,8 +30,8 @@ def triangles(dual: DualPolyhedron) -> int:
 )
 def twice_as_many_triangles(dual: DualPolyhedron) -> bool | str:
     """Compare the number of triangles with twice the number of circles."""
-    m, found = len(dual.arrangement), triangles(dual)
-    return found == 2 * m or f"{found} triangles, not {2 * m}"
+    m, count = len(dual.arrangement), triangles(dual)
+    return count == 2 * m or f"{count} triangles, not {2 * m}"
 
 
 @claim(
@@ -45,5 +45,5 @@ def twice_as_many_triangles(dual: DualPolyhedron) -> bool | str:
 )
 def at_least_twice_as_many_triangles(dual: DualPolyhedron) -> bool | str:
     """Compare the number of triangles with twice the number of circles."""
-    m, found = len(dual.arrangement), triangles(dual)
-    return found >= 2 * m or f"{found} triangles, fewer than {2 * m}"
+    m, count = len(dual.arrangement), triangles(dual)
+    return count >= 2 * m or f"{count} triangles, fewer than {2 * m}"

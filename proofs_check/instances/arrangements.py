@@ -56,12 +56,12 @@ def mixed_cases(
     Entries up to 1 or 2 give coincident planes, common lines and low rank often.
     """
     for m in counts:
-        found = [simple_arrangement(rng, m)]
-        while len(found) < per_count:
-            planes = random_arrangement(rng, m, size=1 + len(found) % 2)
+        arrangements = [simple_arrangement(rng, m)]
+        while len(arrangements) < per_count:
+            planes = random_arrangement(rng, m, size=1 + len(arrangements) % 2)
             if rank is None or planes.rank == rank:
-                found.append(planes)
-        for planes in found:
+                arrangements.append(planes)
+        for planes in arrangements:
             if rank is None or planes.rank == rank:
                 yield arrangement_case(planes)
 
@@ -122,11 +122,11 @@ def smallest_planes(
             for chosen in combinations_with_replacement(vectors, m):
                 if max(max(map(abs, v)) for v in chosen) < bound:
                     continue
-                found = Arrangement(chosen)
-                if distinct and len(found.distinct) < m:
+                arrangement = Arrangement(chosen)
+                if distinct and len(arrangement.distinct) < m:
                     continue
-                if rank is None or found.rank == rank:
-                    yield found
+                if rank is None or arrangement.rank == rank:
+                    yield arrangement
 
 
 def _up_to_sign(bound: int) -> list[Vector]:

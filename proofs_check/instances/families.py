@@ -138,14 +138,14 @@ def read_family(text: str) -> Family:
         UnknownDomainError: no family has this name.
         OwnClaimError: it is written in another way, or `family` refuses it.
     """
-    found = _CALL.fullmatch(text.strip())
-    if found is None:
+    call = _CALL.fullmatch(text.strip())
+    if call is None:
         raise OwnClaimError(f"{shown(text)} is not a family; write one as catalan(n=2..8)")
     values: dict[str, list[str]] = {}
-    made = FAMILIES.get(found[1].replace("_", "-"))
+    made = FAMILIES.get(call[1].replace("_", "-"))
     usable = inspect.signature(made).parameters if made else {}
     flags = {key for key, parameter in usable.items() if parameter.default is False}
-    for part in (found[2] or "").split(",") if (found[2] or "").strip() else ():
+    for part in (call[2] or "").split(",") if (call[2] or "").strip() else ():
         key, equals, value = (x.strip() for x in part.rpartition("="))
         if part.strip() in flags and part.strip() not in values:
             values[part.strip()] = ["true"]
@@ -155,13 +155,13 @@ def read_family(text: str) -> Family:
             values[next(reversed(values))].append(value)  # of a list, or of edges such as 1-2,2-3
         else:
             raise OwnClaimError(f"{shown(part)} in {shown(text)} is not a parameter; write n=2..8")
-    return family(found[1], **{key: _read(parts) for key, parts in values.items()})
+    return family(call[1], **{key: _read(parts) for key, parts in values.items()})
 
 
 def _read(parts: list[str]) -> Any:
     ranges = [_RANGE.fullmatch(part) for part in parts]
     if all(ranges):
-        bounds = [(int(found[1]), int(found[2] or found[1])) for found in ranges if found]
+        bounds = [(int(match[1]), int(match[2] or match[1])) for match in ranges if match]
         if sum(high - low + 1 for low, high in bounds) > MOST_MEMBERS:
             raise OwnClaimError(f"{','.join(parts)} has more than {MOST_MEMBERS:,} values")
         return [x for low, high in bounds for x in range(low, high + 1)]

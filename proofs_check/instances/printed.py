@@ -80,10 +80,10 @@ def read_vector(cell: str) -> tuple[tuple[Fraction, ...], str]:
 
 def _last_number(text: str) -> str:
     """Return the longest number at the end of a text with a point too many."""
-    found = re.search(r"-?[0-9]+\.[0-9]+$", text)
-    if found is None:
+    match = re.search(r"-?[0-9]+\.[0-9]+$", text)
+    if match is None:
         raise ValueError(f"{text!r} cannot be read as a number")
-    return found[0]
+    return match[0]
 
 
 #: The grasps of the figures in numbers: (point x, point y, normal x, normal y) of each contact.

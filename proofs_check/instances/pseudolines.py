@@ -67,9 +67,11 @@ class Pseudolines:
     @cached_property
     def _facets(self) -> dict[int, set[int]]:
         """The pseudolines that bound each region, by the set of those where it is positive."""
-        found = flags(self._array, self.n)
+        half_edges = flags(self._array, self.n)
         sides: dict[int, set[int]] = {}
-        for edge, line in zip(found.edge[0].tolist(), found.element.tolist(), strict=True):
+        for edge, line in zip(
+            half_edges.edge[0].tolist(), half_edges.element.tolist(), strict=True
+        ):
             for region in (edge, edge | 1 << line):
                 sides.setdefault(region, set()).add(line)
         return sides
@@ -144,8 +146,8 @@ def types(numbers: Sequence[int]) -> Iterator[Case]:
     """Yield every class of a given number of pseudolines, but for those of `not_stretchable`."""
     for n in numbers:
         for k, signs in enumerate(chirotopes(n).tolist() if n < MOST_PLANES else _nine(), 1):
-            found = Pseudolines(tuple(signs), n)
-            yield Case(f"n = {n}, type {k} of {PUBLISHED[n]}", found, found.to_dict())
+            lines = Pseudolines(tuple(signs), n)
+            yield Case(f"n = {n}, type {k} of {PUBLISHED[n]}", lines, lines.to_dict())
 
 
 def _nine(together: int = 1000) -> Iterator[list[int]]:
@@ -160,8 +162,8 @@ def type_sources(low: int, high: int) -> tuple[Source, ...]:
     )
     count = len(not_stretchable())
     special = [
-        Case(f"type {k} of {count} without coordinates", found, found.to_dict())
-        for k, found in enumerate(not_stretchable(), 1)
+        Case(f"type {k} of {count} without coordinates", lines, lines.to_dict())
+        for k, lines in enumerate(not_stretchable(), 1)
     ]
     return (
         Source(Kind.EXHAUSTIVE, over, lambda _: types(range(low, high + 1))),

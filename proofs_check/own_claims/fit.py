@@ -103,7 +103,7 @@ _ONE = "needs one parameter that varies over integers, such as generic(m=2..9)"
 def _values(
     quantity: str, over: str, given: Iterable[tuple[Mapping[str, Any], Any]]
 ) -> FamilyValues:
-    found: dict[int, Number] = {}
+    values: dict[int, Number] = {}
     pairs = list(given)
     keys = pairs[0][0] if pairs else ()
     varying = [key for key in keys if len({str(parameters[key]) for parameters, _ in pairs}) > 1]
@@ -116,11 +116,11 @@ def _values(
                 f"{quantity} is {shown(value)} for {name} = {parameters[name]}, which is not a "
                 "number; name a count, such as regions or f_vector[1]"
             )
-        found[parameters[name]] = value
-    return FamilyValues(quantity, over, name, dict(sorted(found.items())))
+        values[parameters[name]] = value
+    return FamilyValues(quantity, over, name, dict(sorted(values.items())))
 
 
-def fit(found: Mapping[int, Number], name: str = "n") -> Fit | None:
+def fit(values: Mapping[int, Number], name: str = "n") -> Fit | None:
     """Return the polynomial or quasi-polynomial with the fewest coefficients that values meet.
 
     For each period up to `MOST_PERIOD` and each class of arguments, the polynomial through all
@@ -138,13 +138,13 @@ def fit(found: Mapping[int, Number], name: str = "n") -> Fit | None:
     """
     best: Fit | None = None
     for period in range(1, MOST_PERIOD + 1):
-        classes = {k: [n for n in found if n % period == k] for k in range(period)}
+        classes = {k: [n for n in values if n % period == k] for k in range(period)}
         if not all(classes.values()):
             break
-        newton = {k: _newton([(n, found[n]) for n in ns]) for k, ns in classes.items()}
+        newton = {k: _newton([(n, values[n]) for n in ns]) for k, ns in classes.items()}
         degree = max(len(coefficients) - 1 for coefficients in newton.values())
         used = sorted(n for ns in classes.values() for n in ns[: degree + 1])
-        checked = tuple(sorted({*found} - {*used}))
+        checked = tuple(sorted({*values} - {*used}))
         if len(checked) < LEAST_CHECKED or any(len(ns) < degree + 2 for ns in classes.values()):
             continue
         if best is None or len(used) < len(best.fitted):
@@ -159,15 +159,15 @@ def _newton(points: list[tuple[int, Number]]) -> list[Fraction]:
     One at least, and as many as points unless fewer are enough.
     """
     row = [Fraction(value) for _, value in points]
-    found = [row[0]]
+    coefficients = [row[0]]
     for step in range(1, len(points)):
         row = [
             (b - a) / (points[k + step][0] - points[k][0]) for k, (a, b) in enumerate(pairwise(row))
         ]
-        found.append(row[0])
-    while len(found) > 1 and not found[-1]:
-        found.pop()
-    return found
+        coefficients.append(row[0])
+    while len(coefficients) > 1 and not coefficients[-1]:
+        coefficients.pop()
+    return coefficients
 
 
 def _polynomial_text(newton: list[Fraction], places: list[int], name: str) -> str:

@@ -77,8 +77,8 @@ def one_line_claim(text: str, *, of: str = DEFAULT_DOMAIN, when: str | None = No
     hypothesis = read_statement(when, names) if when else None
 
     def holds(planes: Planes, **parameters: int) -> Any:
-        found = _Computed(planes, parameters).verdict(statement)
-        return FalseComparison("the statement is false") if found is False else found
+        verdict = _Computed(planes, parameters).verdict(statement)
+        return FalseComparison("the statement is false") if verdict is False else verdict
 
     def applies(planes: Planes, **parameters: int) -> bool:
         return hypothesis is None or bool(_Computed(planes, parameters).value(hypothesis))
@@ -128,12 +128,12 @@ class _Computed:
     def verdict(self, node: ast.expr) -> Any:
         """Return True, or what is false: a comparison with its values."""
         if isinstance(node, ast.BoolOp) and isinstance(node.op, ast.And):
-            found = True
+            verdict = True
             for part in node.values:
-                found = self.verdict(part)
-                if found is not True:
-                    return found
-            return found
+                verdict = self.verdict(part)
+                if verdict is not True:
+                    return verdict
+            return verdict
         if isinstance(node, ast.Compare) and len(node.ops) == 1:
             sides = self.value(node.left), self.value(node.comparators[0])
             return _compare(ast.unparse(node), node.ops[0], *map(_plain, sides))
@@ -145,7 +145,7 @@ class _Computed:
     def value(self, node: ast.expr) -> Any:
         """Return the value of a part that `language` has read."""
         try:
-            found = self._value(node)
+            value = self._value(node)
         except OwnClaimError:
             raise
         except LookupError as error:
@@ -156,11 +156,11 @@ class _Computed:
         except (ArithmeticError, AttributeError, TypeError, ValueError) as error:
             raise OwnClaimError(f"{ast.unparse(node)} has no value: {error}") from error
         if (
-            isinstance(found, _COMPUTED)
-            and max(map(int.bit_length, found.as_integer_ratio())) > BITS
+            isinstance(value, _COMPUTED)
+            and max(map(int.bit_length, value.as_integer_ratio())) > BITS
         ):
             raise OwnClaimError(f"{ast.unparse(node)} has more than {BITS} bits")
-        return found
+        return value
 
     def _value(self, node: ast.expr) -> Any:
         match node:
@@ -279,11 +279,11 @@ def formula_of(node: ast.expr) -> str:
     p_{3} \ge \binom{m}{2}
     """
     try:
-        found = _formula(node)[0]
-        check_formula(found)
+        formula = _formula(node)[0]
+        check_formula(formula)
     except (InputError, LookupError, RecursionError):
         return ""
-    return found
+    return formula
 
 
 def _formula(node: ast.expr) -> tuple[str, int]:
@@ -301,10 +301,10 @@ def _formula(node: ast.expr) -> tuple[str, int]:
             strength = _AND if isinstance(op, ast.And) else _OR
             return _WORDS[type(op)].join(_bound(part, strength + 1) for part in parts), strength
         case ast.Compare(left=left, ops=ops, comparators=others):
-            found = _bound(left, _SUM)
+            text = _bound(left, _SUM)
             for sign, other in zip(ops, others, strict=True):
-                found += f" {_SIGNS[type(sign)]} {_bound(other, _SUM)}"
-            return found, _COMPARED
+                text += f" {_SIGNS[type(sign)]} {_bound(other, _SUM)}"
+            return text, _COMPARED
         case ast.BinOp():
             return _operation(node)
         case ast.Subscript(value=ast.Name(id=name), slice=index):
@@ -320,8 +320,8 @@ def _formula(node: ast.expr) -> tuple[str, int]:
 
 
 def _bound(node: ast.expr, strength: int) -> str:
-    found, own = _formula(node)
-    return found if own >= strength else f"({found})"
+    text, own = _formula(node)
+    return text if own >= strength else f"({text})"
 
 
 def _operation(node: ast.BinOp) -> tuple[str, int]:

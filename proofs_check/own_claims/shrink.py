@@ -115,11 +115,11 @@ def _smaller_rows(row: IntegerVector) -> list[IntegerVector]:
     """Return smaller planes, smallest first: entries -1, 0, 1, and nearer entries."""
     central = row[-1] == 0
     short = product((0, 1, -1), repeat=len(row) - central)
-    found = {(*entry, 0) if central else entry for entry in short} if len(row) <= 5 else set()
+    rows = {(*entry, 0) if central else entry for entry in short} if len(row) <= 5 else set()
     for j, x in enumerate(row):
         for nearer in (0, abs(x), x // 2 if x > 0 else -(-x // 2), x - 1 if x > 0 else x + 1):
-            found.add((*row[:j], nearer, *row[j + 1 :]))
-    usable = {primitive(entry) for entry in found if any(entry[:-1])}
+            rows.add((*row[:j], nearer, *row[j + 1 :]))
+    usable = {primitive(entry) for entry in rows if any(entry[:-1])}
     return sorted((entry for entry in usable if _weight(entry) < _weight(row)), key=_weight)
 
 
@@ -142,9 +142,9 @@ def _smaller_contacts(contact: Contact) -> list[Contact]:
     changes += [{"normal": axis} for axis in _AXES]
     changes += [{"friction": friction} for friction in (1, 0, Fraction(1, 2))]
     changes += [{"stiffness": 1}, {"preload": 0}, {"preload": 1}]
-    found = {replace(contact, **change) for change in changes}
+    contacts = {replace(contact, **change) for change in changes}
     here = _contact_weight(contact)
-    return sorted((c for c in found if _contact_weight(c) < here), key=_contact_weight)
+    return sorted((c for c in contacts if _contact_weight(c) < here), key=_contact_weight)
 
 
 def _pseudoline_steps(lines: Pseudolines) -> Iterator[Pseudolines]:

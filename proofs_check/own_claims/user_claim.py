@@ -224,13 +224,13 @@ def _cases(instances: Iterable[Any]) -> list[Case]:
         if isinstance(instances, Mapping)
         else ((f"instance {k}", subject) for k, subject in enumerate(instances, 1))
     )
-    found = [
+    cases = [
         Case(str(label), subject, subject.to_dict() if hasattr(subject, "to_dict") else None)
         for label, subject in pairs
     ]
-    if not found:
+    if not cases:
         raise OwnClaimError("the list of instances is empty; give at least one")
-    return found
+    return cases
 
 
 def _route_name(way: Callable[[Any], Any]) -> str:

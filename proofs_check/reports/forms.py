@@ -69,14 +69,14 @@ def _overview(record: Record) -> tuple[list[str], list[list[str]]]:
 
 def _tables(result: Record) -> list[tuple[list[str], list[list[str]]]]:
     """Return the tables of a result: its own, and its cases where the claim asks for them."""
-    found = []
+    tables = []
     table = result.get("table")
     if table:
-        found.append((table["columns"], [[value_text(c) for c in row] for row in table["rows"]]))
+        tables.append((table["columns"], [[value_text(c) for c in row] for row in table["rows"]]))
     if result.get("rows") and result["records"]:
         names = ["case", *result["routes"], "holds", "remark"]
-        found.append((names, [cells(case, ("yes", "no")) for case in result["records"]]))
-    return found
+        tables.append((names, [cells(case, ("yes", "no")) for case in result["records"]]))
+    return tables
 
 
 def _footer(record: Record) -> list[str]:
@@ -92,8 +92,8 @@ def _footer(record: Record) -> list[str]:
     again = [
         f"{name} {record[name.lower()]}" for name in ("Date", "Command") if record.get(name.lower())
     ]
-    found = f"SHA-256 of statements, cases and values {digest(record)}"
-    return [f"{seed}.", "", *left_out(record), *lines, *again, found]
+    checksum = f"SHA-256 of statements, cases and values {digest(record)}"
+    return [f"{seed}.", "", *left_out(record), *lines, *again, checksum]
 
 
 def _html_page(record: Record) -> str:

@@ -148,11 +148,11 @@ def badges(claim: Claim, evidence: Evidence | None = None) -> list[dict[str, Any
     [['theorem step_1_square_bound'], ['theorem step_1_square_bound_needs_two_planes']]
     """
     known = theorems()
-    found = [] if claim.file else [name for name in claim.theorems if name in known]
+    stated = [] if claim.file else [name for name in claim.theorems if name in known]
     general = [
-        name for name in found if re.search(r"forall [\w ]*\b(planes|contacts)\b", known[name])
+        name for name in stated if re.search(r"forall [\w ]*\b(planes|contacts)\b", known[name])
     ]
-    others = [name for name in found if name not in general]
+    others = [name for name in stated if name not in general]
     shown = [
         {"names": [f"theorem {name}" for name in names], "meaning": meaning}
         for names, meaning in (
@@ -205,8 +205,8 @@ def _counterexample_text(result: Result, record: Record) -> str:
     claim, evidence = result.claim, result.evidence
     if claim.smaller:
         tried = counted(evidence.searched, "smaller instance")
-        found = f"smallest counterexample found ({tried} tried)"
-        return f"{found}: {instance_text(record.document)}: {record.note}"
+        head = f"smallest counterexample found ({tried} tried)"
+        return f"{head}: {instance_text(record.document)}: {record.note}"
     true = "no counterexample found" if result.strength is Strength.SAMPLED else "holds"
     condition = f"{true} when {claim.hypothesis.text}; " if claim.hypothesis else ""
     if claim.hypothesis and record.covered:
@@ -382,11 +382,11 @@ def digest(record: Mapping[str, Any]) -> str:
     It is over statements, cases, values and verdicts; times, dates, versions and the paths of files
     are left out.
     """
-    found = [
+    results = [
         {k: v for k, v in result.items() if k not in ("file", "milliseconds")}
         for result in record["results"]
     ]
-    return sha256(json.dumps(found, sort_keys=True).encode()).hexdigest()
+    return sha256(json.dumps(results, sort_keys=True).encode()).hexdigest()
 
 
 def json_record(

@@ -63,16 +63,16 @@ def _common(numbers: Iterable[Fraction]) -> int:
 def body_rows(contact: Mapping[str, Any], names: Sequence[str], n: int) -> tuple[Any, ...]:
     """Return N and T in the numbers of all bodies; friction, stiffness and preload."""
     (x, y), (p, q) = (map(Fraction, contact[key]) for key in ("point", "normal"))
-    found = []
+    rows = []
     for u, v in ((p, q), (-q, p)):
         row = [Fraction(0)] * n
         for name, sign in ((contact["body_a"], 1), (contact["body_b"], -1)):
             if name is not None:
                 k = 3 * names.index(name)
                 row[k : k + 3] = sign * u, sign * v, sign * (x * v - y * u)
-        found.append(row)
+        rows.append(row)
     values = [Fraction(contact.get(key, 1)) for key in ("friction", "stiffness")]
-    return (*found, *values, Fraction(contact.get("preload", 0)))
+    return (*rows, *values, Fraction(contact.get("preload", 0)))
 
 
 def _holds(

@@ -83,17 +83,17 @@ def f_vector_in_cone(planes: Planes, inequalities: Sequence[IntegerVector]) -> t
     covers: list[tuple[tuple[int, ...], ...]] = []
     cones = [cone]
     while cones:
-        found: dict[int, Cone] = {}
+        cone_of: dict[int, Cone] = {}
         position: dict[int, int] = {}
         above = []
         for mask, cone in zip(masks[-1], cones, strict=True):
             flats = _covers_in_cone(cone, mask, normals, inequalities)
-            found.update(flats)
+            cone_of.update(flats)
             above.append(tuple(position.setdefault(flat, len(position)) for flat in flats))
         covers.append(tuple(above))
         if position:
             masks.append(tuple(position))
-        cones = [found[flat] for flat in position]
+        cones = [cone_of[flat] for flat in position]
     rows = IntersectionLattice(planes, tuple(masks), tuple(covers)).whitney_matrix
     sums = [sum(row) for row in rows]
     return (0,) * (missing - len(sums)) + tuple(reversed(sums))
@@ -107,7 +107,7 @@ def _covers_in_cone(
     Such a part is open in its flat, so its generators span it and determine which planes contain
     it.
     """
-    found: dict[int, Cone] = {}
+    cone_of: dict[int, Cone] = {}
     seen = mask
     for i, normal in enumerate(normals):
         if seen >> i & 1:
@@ -121,9 +121,9 @@ def _covers_in_cone(
                 for j, other in enumerate(normals)
                 if not any(sum(map(mul, other, x)) for x in (*rays, *lines))
             )
-            found[flat] = part
+            cone_of[flat] = part
             seen |= flat
-    return found
+    return cone_of
 
 
 def _meets(cone: Cone, inequalities: Sequence[IntegerVector]) -> bool:

@@ -36,12 +36,12 @@ class DualGraph:
     @cached_property
     def neighbours(self) -> dict[Signs, set[Signs]]:
         """The adjacent regions of every region."""
-        found: dict[Signs, set[Signs]] = {vertex: set() for vertex in self.vertices}
+        nearest: dict[Signs, set[Signs]] = {vertex: set() for vertex in self.vertices}
         for edge in self.edges:
             a, b = edge
-            found[a].add(b)
-            found[b].add(a)
-        return found
+            nearest[a].add(b)
+            nearest[b].add(a)
+        return nearest
 
 
 def from_signs(regions: list[Signs], facets: list[Signs], lines: list[Signs]) -> DualGraph:
@@ -91,14 +91,14 @@ def _cross(u: tuple[int, ...], v: tuple[int, ...]) -> tuple[int, ...]:
 def distances(graph: DualGraph, start: Signs, removed: Iterable[Signs] = ()) -> dict[Signs, int]:
     """Return the number of edges on a shortest way from one region to each that is reached."""
     neighbours = graph.neighbours
-    found, length = {start: 0}, 0
+    distance, length = {start: 0}, 0
     level, closed = {start}, {start, *removed}
     while level:
         length += 1
         level = set[Signs]().union(*(neighbours[here] for here in level)) - closed
         closed |= level
-        found |= dict.fromkeys(level, length)
-    return found
+        distance |= dict.fromkeys(level, length)
+    return distance
 
 
 def is_sphere(graph: DualGraph) -> bool:
@@ -111,7 +111,7 @@ def is_sphere(graph: DualGraph) -> bool:
     for k, face in enumerate(graph.faces):
         for edge in face:
             incident[edge].append(k)
-    if not graph.vertices or any(len(found) != 2 for found in incident.values()):
+    if not graph.vertices or any(len(faces) != 2 for faces in incident.values()):
         return False
     if len(distances(graph, next(iter(graph.vertices)))) < len(graph.vertices):
         return False
@@ -130,7 +130,7 @@ def _is_cycle(pairs: list[tuple[object, ...]]) -> bool:
     for a, b in pairs:
         neighbours.setdefault(a, []).append(b)
         neighbours.setdefault(b, []).append(a)
-    if not pairs or any(len(found) != 2 for found in neighbours.values()):
+    if not pairs or any(len(ends) != 2 for ends in neighbours.values()):
         return False
     start = next(iter(neighbours))
     previous, here, steps = start, neighbours[start][0], 1

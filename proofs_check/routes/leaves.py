@@ -25,11 +25,11 @@ def leaf_count(question: Question, tree: Any) -> int:
     Raises:
         ValueError: a leaf does not hold, or a node splits states.
     """
-    found = list(_leaves(tree, []))
-    for motion, region in found:
+    leaves = list(_leaves(tree, []))
+    for motion, region in leaves:
         if not _holds(question, motion, region):
             raise ValueError(f"the virtual motion {motion} does not close its region")
-    return len(found)
+    return len(leaves)
 
 
 def _leaves(node: Any, region: Region) -> Iterator[tuple[Row, Region]]:

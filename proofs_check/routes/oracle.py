@@ -215,7 +215,7 @@ def violations(
 
 def resisted(question: Question, reading: Reading = MODEL) -> tuple[Interval, ...]:
     """Return all factors t for which the grasp holds t times the wrench, as closed intervals."""
-    found = []
+    intervals = []
     systems = Systems(question, reading, scaled=True)
     for states in all_states(question, reading):
         equalities, inequalities = systems.rows(states)
@@ -223,14 +223,14 @@ def resisted(question: Question, reading: Reading = MODEL) -> tuple[Interval, ..
         rows = project(equalities, inequalities, kept)
         interval = None if rows is None else interval_of(rows, kept)
         if interval is not None:
-            found.append(interval)
-    return united(found)
+            intervals.append(interval)
+    return united(intervals)
 
 
 def normal_forces(question: Question) -> tuple[tuple[Interval, ...], ...]:
     """Return for every contact all normal forces that occur in equilibria, as closed intervals."""
     m = len(question.contacts)
-    found: list[list[Interval]] = [[] for _ in range(m)]
+    forces: list[list[Interval]] = [[] for _ in range(m)]
     systems = Systems(question)
     for states in all_states(question):
         equalities, inequalities = systems.rows(states)
@@ -244,8 +244,8 @@ def normal_forces(question: Question) -> tuple[tuple[Interval, ...], ...]:
             known = [(*row[:-1], Fraction(0), row[-1]) for row in equalities]
             remaining = project([*known, named], rows, keep=3 + m)
             interval = None if remaining is None else interval_of(remaining, 3 + m)
-            found[i] += [] if interval is None else [interval]
-    return tuple(united(intervals) for intervals in found)
+            forces[i] += [] if interval is None else [interval]
+    return tuple(united(intervals) for intervals in forces)
 
 
 @dataclass(frozen=True)

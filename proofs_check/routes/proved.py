@@ -44,8 +44,8 @@ def _slip_states(contacts: Any) -> tuple[int, int]:
     n = len(slips[0])
     curve = [[t**k for k in range(n)] for t in range(len(slips))]
     planes = (Planes(rows, dimension=n) for rows in (slips, curve))
-    found, general = (sum(proved_f_vector(one)) for one in planes)
-    return found, general
+    states, general = (sum(proved_f_vector(one)) for one in planes)
+    return states, general
 
 
 def _of_motions(grasp: Any) -> tuple[int, ...]:

@@ -130,12 +130,12 @@ def _ways(
 
 def _shortest(steps: list[list[_Step]], start: int) -> dict[int, int]:
     """Return the smallest weight of a way to each ray that is reached (Dijkstra)."""
-    found: dict[int, int] = {}
+    distance: dict[int, int] = {}
     waiting = [(0, start)]
     while waiting:
         length, here = heappop(waiting)
-        if here not in found:
-            found[here] = length
+        if here not in distance:
+            distance[here] = length
             for step in steps[here]:
                 heappush(waiting, (length + step.weight, step.to))
-    return found
+    return distance

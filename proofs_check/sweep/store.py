@@ -157,8 +157,8 @@ class Store:
     def claim(self) -> dict[str, Any]:
         """What the claim says, so that a report needs nothing but the store."""
         with self._reporting_damage():
-            found: dict[str, Any] = json.loads(self._plan()[1])
-        return found
+            record: dict[str, Any] = json.loads(self._plan()[1])
+        return record
 
     def _plan(self) -> tuple[bytes, bytes]:
         """Return the texts of the plan and of what the claim says."""
@@ -370,18 +370,18 @@ def _differences(store: Store, plan: Plan, claim: Mapping[str, Any], *, merged: 
     files = (store.claim.get("files", {}), claim.get("files", {}))
     if merged:
         plans, files = plans[::-1], files[::-1]
-    (one, other), found = plans, list[str]()
+    (one, other), differences = plans, list[str]()
     for key in {**one, **other}:
         if one.get(key) == other.get(key):
             continue
         if key != "digest":
-            found.append(f"{key} {one.get(key)!r}, not {other.get(key)!r}")
+            differences.append(f"{key} {one.get(key)!r}, not {other.get(key)!r}")
             continue
         names = {**files[0], **files[1]}
         changed = [name for name in names if files[0].get(name) != files[1].get(name)]
         what = ", ".join(changed) or "the file of the claim, or one that it imports,"
-        found.append(f"{what} {'differs' if merged else 'has changed since'}")
-    return found
+        differences.append(f"{what} {'differs' if merged else 'has changed since'}")
+    return differences
 
 
 def _text(record: Mapping[str, Any]) -> str:

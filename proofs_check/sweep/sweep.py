@@ -67,10 +67,10 @@ def domain_of(claim: Claim) -> Domain:
 def about(claim: Claim) -> dict[str, Any]:
     """Return what a report has to know of a claim, for the store of a sweep."""
     domain = domain_of(claim)
-    found = {"record": claim_record(claim), "domain": domain.text, "unit": domain.unit}
+    record = {"record": claim_record(claim), "domain": domain.text, "unit": domain.unit}
     if claim.file:
-        found["files"] = file_digests(claim.file)
-    return found | ({"many_types": claim.many_types.name} if claim.many_types else {})
+        record["files"] = file_digests(claim.file)
+    return record | ({"many_types": claim.many_types.name} if claim.many_types else {})
 
 
 #: Of types that are decided many at once, one in this many is checked by the claim's routes too.

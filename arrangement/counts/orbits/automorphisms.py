@@ -109,16 +109,16 @@ class Automorphisms:
             checked.append(image)
         return self._stack(checked)
 
-    def _stack(self, found: list[Permutations]) -> Permutations:
-        return np.array(found, dtype=np.intp).reshape(len(found), self.size)
+    def _stack(self, generators: list[Permutations]) -> Permutations:
+        return np.array(generators, dtype=np.intp).reshape(len(generators), self.size)
 
-    def _orbit(self, found: list[Permutations], plane: int) -> NDArray[np.bool_]:
+    def _orbit(self, generators: list[Permutations], plane: int) -> NDArray[np.bool_]:
         """Return which vectors the permutations can take one vector to."""
         reached = np.zeros(self.size, dtype=np.bool_)
         reached[plane] = True
         known = 0
         while known != (known := int(reached.sum())):
-            for image in found:
+            for image in generators:
                 reached[image[reached]] = True
         return reached
 

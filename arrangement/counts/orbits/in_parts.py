@@ -200,16 +200,13 @@ class _Made:
 
 
 def _made(root: str) -> _Made:
-    """Return the vectors and symmetries of the plan in a folder."""
+    """Read the plan of a folder."""
     return _made_of((Path(root) / "plan.json").read_bytes())
 
 
 @lru_cache(maxsize=1)
 def _made_of(content: bytes) -> _Made:
-    """Return the vectors and symmetries of a plan, with its checksum.
-
-    It is kept for the next part: a process works on many parts of one plan.
-    """
+    """Parse a plan; the last one is cached, as a process works on many parts of it."""
     plan = json.loads(content)
     field = None
     if "field" in plan:

@@ -45,8 +45,8 @@ class Patch:
     """A convex polygon, segment or point of a surface in R^3.
 
     Attributes:
-        row: (a, b) of its plane: ``a . x + b`` is 0 on the patch and negative in the solid behind
-            it. Of a segment or a point all entries are 0.
+        row: (a, b); ``a . x + b`` is 0 on the patch and negative in the solid behind it. All
+            entries are 0 for a segment or a point.
         corners: homogeneous, in cyclic order.
         edges: the parts of its edges where the surface bends or ends.
         sheet: whether no solid is behind it.

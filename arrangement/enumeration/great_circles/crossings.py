@@ -76,7 +76,7 @@ def sort_crossings(normals: Integers) -> Crossings:
     return result
 
 
-def _sort_block(signs: ExactSigns, block: slice, found: Crossings) -> None:
+def _sort_block(signs: ExactSigns, block: slice, crossings: Crossings) -> None:
     """Fill the rows of `found` for a block of circles."""
     slopes, backward = signs.slopes(block)
     count = slopes.shape[1]
@@ -92,7 +92,7 @@ def _sort_block(signs: ExactSigns, block: slice, found: Crossings) -> None:
     slopes.sort(axis=1)
     keys = keys[:, :-1]
     last = keys.astype(np.int32) & np.int32((1 << written) - 1)
-    order, turn, tied = found.order[block], found.turn[block], found.tied[block]
+    order, turn, tied = crossings.order[block], crossings.turn[block], crossings.tied[block]
     order[...] = last >> 1
     turn[...] = 1 - 2 * (last & 1)
     near = np.abs(np.diff(keys >> bits, axis=1)) < 2 if signs.reliable else ~tied[:, 1:]

@@ -114,7 +114,7 @@ class ExactSigns:
         self._set_numbers(normals.astype(np.float64) if exact_in_floats else normals)
 
     def _set_numbers(self, numbers: NDArray[Any]) -> None:
-        """Take the normals, or numbers near positive multiples of them, to compute slopes from."""
+        """Set what slopes are computed from: normals, or numbers near positive multiples."""
         self._columns = np.ascontiguousarray(numbers.T)
         self._numerators, self._denominators, self._upper = slope_functions(numbers)
 

@@ -149,10 +149,10 @@ def check(sample: int, seed: int = 0, *, order: bool = True, proved: bool = Fals
     for parent in watched(chosen, "isomorphism classes of eight planes"):
         added = extensions(signs[parent], MOST_PLANES - 1)
         larger = extended(signs[parent], added, MOST_PLANES - 1)
-        found = places(larger) >= 0
-        total, listed = total + len(larger), listed + int(found.sum())
-        if not found.all():
-            without += sum(row in keys for row in map(tuple, place_keys(larger[~found]).tolist()))
+        known = places(larger) >= 0
+        total, listed = total + len(larger), listed + int(known.sum())
+        if not known.all():
+            without += sum(row in keys for row in map(tuple, place_keys(larger[~known]).tolist()))
     return Check(_in_order() if order else True, len(keys), sample, total, listed, without)
 
 

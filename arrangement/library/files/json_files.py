@@ -123,7 +123,7 @@ def instances() -> dict[str, Traversable]:
 
 
 def _built_in(name: str) -> Traversable | None:
-    """Look a name up in one package after the other, loading no more of them than needed."""
+    """Return the built-in document of a name, from the first package that has it."""
     tables = (named(place)() for place in added("instances").values())
     return next((table[name] for table in tables if name in table), None)
 

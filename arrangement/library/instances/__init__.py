@@ -9,7 +9,7 @@ from importlib.resources.abc import Traversable
 def paths() -> dict[str, Traversable]:
     """Return the built-in arrangements: their files by name."""
     folders = (folder for folder in files(__name__).iterdir() if folder.is_dir())
-    found = {path.name: path for folder in folders for path in folder.iterdir()}
+    known = {path.name: path for folder in folders for path in folder.iterdir()}
     return {
-        name.removesuffix(".json"): found[name] for name in sorted(found) if name.endswith(".json")
+        name.removesuffix(".json"): known[name] for name in sorted(known) if name.endswith(".json")
     }

@@ -116,7 +116,7 @@ class Cone:
         return tuple(sorted(ray for ray, _ in self.rays)), tuple(self.lines)
 
     def cut(self, row: Sequence[int], *, keep_positive: bool) -> None:
-        """Keep the part with ``row . x >= 0``, or only ``= 0``."""
+        """Intersect the cone with ``row . x >= 0``, or with ``row . x = 0``."""
         bit = 1 << self.conditions
         self.conditions += 1
         leaving = next((line for line in self.lines if _value(row, line)), None)

@@ -62,7 +62,7 @@ class FloatDictionary:
         return [*self._fixed, *self._columns.tolist()]
 
     def start(self) -> int | None:
-        """Look for a point; return -1 there, a row that can never hold, or None without either."""
+        """Find a point; return -1, or a row that can never hold, or None without either."""
         self._eliminate(np.arange(self._k) >= self._first_equality)
         for r in np.flatnonzero((self._rows >= self._first_equality) & (self._rows < self._k)):
             if abs(self._table[r, -1]) > _TOLERANCE:

@@ -132,9 +132,9 @@ class Rows:
                 return None
         return solution
 
-    def rational(self, found: Numbers) -> RationalVector:
+    def rational(self, solution: Numbers) -> RationalVector:
         """Return a point in the units of the given rows."""
-        numbers, common = found
+        numbers, common = solution
         return tuple(Fraction(int(x), int(common) * self.unit) for x in numbers)
 
     def multipliers(self, target: Sequence[int], tight: Sequence[int]) -> Terms | None:

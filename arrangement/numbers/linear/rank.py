@@ -29,7 +29,10 @@ _FLINT_SIZE = 2**250
 
 
 def rank(rows: Sequence[Sequence[int]]) -> int:
-    """Return the rank of exact row vectors, from a sample of them where that suffices."""
+    """Return the rank of a matrix, given by its rows.
+
+    Of many rows a sample comes first: where its rank is the number of columns, that is the rank.
+    """
     if not len(rows):
         return 0
     width = len(rows[0])

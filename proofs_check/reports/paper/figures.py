@@ -40,8 +40,8 @@ class _Sketch:
         self._scale, self._corner = unit * POINTS, np.array([left, low])
 
     def at(self, place: Place) -> Floats:
-        found: Floats = (np.array(place) - self._corner) * self._scale
-        return found
+        place_on_paper: Floats = (np.array(place) - self._corner) * self._scale
+        return place_on_paper
 
     def polygon(self, corners: Sequence[Place], **style: Any) -> None:
         self.scene.polygon([self.at(corner) for corner in corners], **style)
@@ -180,23 +180,23 @@ def two_pushes() -> Scene:
 def linear_springs() -> Scene:
     """Return the three-contact grasp at rest, with linear springs, and in the full model."""
     grasp = read_grasp("paper-three-contacts")
-    found = linear_compliance(grasp, solve(grasp, _DOWN).wrench)
-    return _method(grasp, found, _SQUARE, ["linear springs: refused", "full model: resisted"])
+    solution = linear_compliance(grasp, solve(grasp, _DOWN).wrench)
+    return _method(grasp, solution, _SQUARE, ["linear springs: refused", "full model: resisted"])
 
 
 def cones_alone() -> Scene:
     """Return the four-contact grasp, friction 2, at rest, with cones alone, in the full model."""
     grasp = read_grasp("paper-four-contacts").with_friction(2)
-    found = cones(grasp, _DOWN)
-    return _method(grasp, found, _TALL, ["cones alone: resisted", "full model: not resisted"])
+    solution = cones(grasp, _DOWN)
+    return _method(grasp, solution, _TALL, ["cones alone: resisted", "full model: not resisted"])
 
 
-def _method(grasp: Grasp, found: Any, outline: Sequence[Any], titles: list[str]) -> Scene:
+def _method(grasp: Grasp, solution: Any, outline: Sequence[Any], titles: list[str]) -> Scene:
     """Return a grasp at rest, with the forces of a method, and with those of the full model."""
     verdict = solve(grasp, _DOWN)
     layouts = [
         GraspLayout(grasp, outline=outline),
-        GraspLayout(grasp, verdict, outline, of_method=Solution(found.motion, found.forces)),
+        GraspLayout(grasp, verdict, outline, of_method=Solution(solution.motion, solution.forces)),
         GraspLayout(grasp, verdict, outline),
     ]
     return composed([drawn(layout, _THIRD) for layout in layouts], 3, ["at rest", *titles])

@@ -151,12 +151,12 @@ def _result_table(contacts: Grasps, rows: Iterable[printed.PrintedRow], _: Times
         blank = ("",) * (len(contacts) + 1)
         cells = (*row.forces, row.motion) if row.motion else blank
         lines.append(TableLine(PRINTED, (*shown, "printed", row.stable, *cells, "")))
-        found, remark = blank, _remark(row, verdict)
+        numbers, remark = blank, _remark(row, verdict)
         if verdict.stable:
             first = verdict.equilibria[0]
-            found = tuple(map(_vector, (*first.forces, first.motion)))
+            numbers = tuple(map(_vector, (*first.forces, first.motion)))
         stable = "Yes" if verdict.stable else "No"
-        lines.append(TableLine(COMPUTED, ("", "", "computed", stable, *found, remark), False))
+        lines.append(TableLine(COMPUTED, ("", "", "computed", stable, *numbers, remark), False))
     head = ("w", "P", "", "stable", *forces, "d", "printed numbers")
     note = "Computed: the equilibrium of least motion, then of least forces; exact."
     return TableContent(head, tuple(lines), note)
@@ -170,7 +170,7 @@ def _remark(row: printed.PrintedRow, verdict: Any) -> str:
         return "agree"
     *forces, motion = (printed.read_vector(cell) for cell in (*row.forces, row.motion))
     numbers = motion[0], [force[0] for force in forces]
-    holding = [found for found in verdict.equilibria if found.contains(*numbers)]
+    holding = [family for family in verdict.equilibria if family.contains(*numbers)]
     if not holding:
         return "differ"
     same = numbers == (holding[0].motion, list(holding[0].forces))

@@ -114,11 +114,11 @@ def _of_census(signs: Signs, m: int) -> list[IntegerVector] | None:
         raise InputError(
             "planes with these signs need sqrt(5): they are `arrangement make perles`, relabelled"
         )
-    found: list[IntegerVector] = [()] * m
+    vectors: list[IntegerVector] = [()] * m
     for element, side, normal in zip(order, sides, normals(m)[place].tolist(), strict=True):
-        found[element] = tuple(int(side) * x for x in normal)
-    common = 1 if _signs(found) == tuple(signs.tolist()) else -1
-    return [tuple(common * x for x in vector) for vector in found]
+        vectors[element] = tuple(int(side) * x for x in normal)
+    common = 1 if _signs(vectors) == tuple(signs.tolist()) else -1
+    return [tuple(common * x for x in vector) for vector in vectors]
 
 
 def _put_back(others: list[IntegerVector], wanted: Signs) -> IntegerVector | None:
