@@ -38,6 +38,10 @@ EXAMPLES = (
 )
 
 
+#: Commands that the help lists first.
+_COMMON = ("run", "try", "list", "new", "report")
+
+
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command; return its exit code.
 
@@ -55,9 +59,8 @@ def _parser() -> Parser:
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    def command(
-        name: str, function: str, help: str, *answers: str, heading: str = "more"
-    ) -> argparse.ArgumentParser:
+    def command(name: str, function: str, help: str, *answers: str) -> Parser:
+        heading = "common" if name in _COMMON else "more"
         added: Parser = terminal.add_command(commands, name, help, *answers, heading=heading)
         added.set_defaults(command=_later(function), long=True)  # it reports its progress
         if name != "report":
@@ -75,15 +78,7 @@ def _parser() -> Parser:
 
     strict = "no verdict, or with --strict no counterexample found"
     expected = ("every verdict is the expected one", "some verdict differs", strict)
-    _add_run(
-        command(
-            "run",
-            "run.run_claims",
-            "check claims and print the verdicts",
-            *expected,
-            heading="common",
-        )
-    )
+    _add_run(command("run", "run.run_claims", "check claims and print the verdicts", *expected))
     _add_try(
         command(
             "try",
@@ -92,21 +87,16 @@ def _parser() -> Parser:
             "not refuted",
             "refuted",
             strict,
-            heading="common",
         )
     )
-    listed = command(
-        "list", "listing.list_claims", "list claims, or describe one", heading="common"
-    )
+    listed = command("list", "listing.list_claims", "list claims, or describe one")
     listed.add_argument(
         "source",
         nargs="?",
         metavar="ID|FILE.py",
         help="a claim to describe, or a file (default: the claims of the paper)",
     )
-    new = command(
-        "new", "listing.new_file", "write a file of claims to start from", heading="common"
-    )
+    new = command("new", "listing.new_file", "write a file of claims to start from")
     new.add_argument("name", metavar="NAME", help="of the file; .py is added")
     new.add_argument(
         "--example",
@@ -133,7 +123,6 @@ def _parser() -> Parser:
         "sweep.run_report",
         "write a report of claims, of a sweep, or of a JSON record",
         *expected,
-        heading="common",
     )
     report.add_argument(
         "source",
@@ -177,11 +166,7 @@ def _parser() -> Parser:
         )
     )
     grade = command(
-        "grade",
-        "grade.run_grade",
-        "grade answers to exercises",
-        "all are right",
-        "one is wrong",
+        "grade", "grade.run_grade", "grade answers to exercises", "all are right", "one is wrong"
     )
     text = "the exercises; it is run as a program. Or those of a lab: slip-lab, arrangement-lab, "
     grade.add_argument("exercises", metavar="FILE.py", help=f"{text}or the .json of its editor")

@@ -14,7 +14,7 @@ from arrangement.console.safe_text import printable, safe_lines
 from arrangement.errors import InputError
 
 from .formula import is_formula
-from .report import digest
+from .report import run_facts
 from .text import (
     as_expected,
     cells,
@@ -80,20 +80,15 @@ def _tables(result: Record) -> list[tuple[list[str], list[list[str]]]]:
 
 
 def _footer(record: Record) -> list[str]:
-    lines = []
-    for entry in record["environments"]:
-        versions = ", ".join(f"{name} {number}" for name, number in entry["versions"].items())
-        lines.append(f"Python {entry['python']}, {versions}, commit {entry['commit'] or 'unknown'}")
     seed = f"Seed {record['seed']}"
     if any(map(is_unexpected, record["results"])):
         seed += "; some verdict differs"
     elif words := as_expected("every verdict is", record["results"]):
         seed += f"; {words}"
-    again = [
-        f"{name} {record[name.lower()]}" for name in ("Date", "Command") if record.get(name.lower())
-    ]
-    checksum = f"SHA-256 of statements, cases and values {digest(record)}"
-    return [f"{seed}.", "", *left_out(record), *lines, *again, checksum]
+    command = [("command", record["command"])] if record.get("command") else []
+    made = [f"- {name}: {text}" for name, text in [*command, *run_facts(record)]]
+    left = [line for text in left_out(record) for line in (text, "")]
+    return [f"{seed}.", "", *left, *made]
 
 
 def _html_page(record: Record) -> str:

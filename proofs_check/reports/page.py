@@ -26,7 +26,7 @@ from equilibrium.decide.solver import solve
 from equilibrium.model.grasp import Grasp
 from equilibrium.pictures.views import DRAWINGS as OF_GRASPS
 from proofs_check.reports.formula import mathml
-from proofs_check.reports.report import digest
+from proofs_check.reports.report import run_facts
 from proofs_check.reports.text import (
     also_tried,
     cells,
@@ -118,7 +118,7 @@ def _body(record: Record) -> str:
         two_routes=all(len(result["routes"]) > 1 for result in results),
         is_unexpected=is_unexpected,
         differing=[result["id"] for result in results if is_unexpected(result)],
-        facts=_facts(record),
+        facts=run_facts(record),
         most=MOST_CASES,
         also_tried=also_tried,
         cells=_cells,
@@ -151,17 +151,6 @@ def rendered(template: Template, filters: Mapping[str, Callable[..., Any]], **va
 
 def _kind(result: Record) -> VerdictStyle:
     return KINDS[strength(result)]
-
-
-def _facts(record: Record) -> list[tuple[str, str]]:
-    """Return versions, commit, date, seed and digest."""
-    facts = [("date", record["date"])] if record.get("date") else []
-    facts.append(("seed", str(record["seed"])))
-    for entry in record["environments"]:
-        facts.append(("commit", entry["commit"] or "unknown"))
-        versions = ", ".join(f"{name} {number}" for name, number in entry["versions"].items())
-        facts.append(("with", f"Python {entry['python']}, {versions}"))
-    return [*facts, ("SHA-256", digest(record))]
 
 
 def _formula(text: str) -> Markup:

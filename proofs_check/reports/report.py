@@ -389,6 +389,17 @@ def digest(record: Mapping[str, Any]) -> str:
     return sha256(json.dumps(results, sort_keys=True).encode()).hexdigest()
 
 
+def run_facts(record: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Return date, seed, commit, versions and digest of a run, for each form of a report."""
+    facts = [("date", record["date"])] if record.get("date") else []
+    facts.append(("seed", str(record["seed"])))
+    for entry in record["environments"]:
+        facts.append(("commit", entry["commit"] or "unknown"))
+        versions = ", ".join(f"{name} {number}" for name, number in entry["versions"].items())
+        facts.append(("with", f"Python {entry['python']}, {versions}"))
+    return [*facts, ("SHA-256", digest(record))]
+
+
 def json_record(
     results: list[dict[str, Any]],
     seed: int,
