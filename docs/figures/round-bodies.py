@@ -14,4 +14,4 @@ for name in ("box", "tube", "spool"):
     pattern = rf":caption: {name}\.json\n\n((?:   .*\n|\n)+)"
     block = re.search(pattern, PAGE.read_text(encoding="utf-8"))
     made = inputs.read_shapes(json.loads(textwrap.dedent(block[1]), parse_float=str)).subject
-    OF_ASSEMBLIES.write(solve(made, made.weights), f"{name}.svg")
+    OF_ASSEMBLIES.write(solve(made, made.weights), f"round-bodies-{name}.svg")
