@@ -96,6 +96,7 @@ ARRANGEMENT: Mapping[str, Mapping[str, str]] = {
     "elsewhere": {
         "add": "A.addition(normal, offset)",
         "adjacency_graph": "A.region_graph()",
+        "bounded_faces": "A.bounded_regions()",
         "cells": "A.faces()",
         "chi": "A.characteristic_polynomial()",
         "dual_graph": "A.region_graph()",
