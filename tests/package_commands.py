@@ -5,6 +5,8 @@ from typing import NamedTuple
 #: Files that the commands read, written before them.
 INPUTS = {
     "fingers.csv": "x,y,normal_x,normal_y,friction\n-1,0,1,0,0.5\n1,0,-1,0,0.5\n",
+    "disc.json": '{"schema_version": 1, "friction": 1, "bodies": [{"name": "a", "circle": '
+    '{"centre": [0, 1], "radius": 1}}], "ground": [{"segments": [[[-4, 0], [4, 0]]]}]}',
     "wedge.json": '{"schema_version": 1, "polygon": [["0", "0"], ["4", "0"], ["0", "3"]], '
     '"places": [{"edge": 0, "at": "1/2", "friction": "1/4"}]}',
     "triangle.json": '{"schema_version": 1, "polygon": [[0, 0], [4, 0], [0, 3]]}',
@@ -77,6 +79,7 @@ COMMANDS = (
     Command("equilibrium make csv fingers.csv", 0, '"contacts"'),
     Command("equilibrium make floats fingers.csv", 0, '"contacts"'),
     Command("equilibrium make polygon wedge.json", 0, '"contacts"'),
+    Command("equilibrium make shapes disc.json", 0, '"contacts"'),
     _needs("mesh", "equilibrium make mesh corner.obj --at 1 1 0 --friction 1/2"),
     _needs("space", "equilibrium solve three-fingers-on-a-ball --wrench 0 0 -1 0 0 0"),
     _needs("search", f"equilibrium solve {_G} --wrench 0 -1 0 --robust friction=1%"),
