@@ -50,7 +50,6 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import chain, product
-from operator import mul
 from typing import Any, NamedTuple
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, quotient
@@ -221,7 +220,7 @@ class TreeQuestion:
             )
             if is_idle and multipliers is None:
                 continue
-            a, *b = [sum(map(mul, row, motion)) for row in contact.wrenches]
+            a, *b = [dot(row, motion) for row in contact.wrenches]
             alpha, *h = whole(multipliers, scale) if multipliers else none
             if self._round:
                 is_below = within_room(a - alpha * contact.unit, b, contact.friction, state)
@@ -246,7 +245,7 @@ class TreeQuestion:
             elif kappa < 0:
                 concave = [x + kappa * max(0, e) for x, e in zip(concave, springs, strict=True)]
         sizes, rows = zip(*terms, strict=True)
-        total = [sum(map(mul, sizes, column)) for column in zip(*rows, strict=True)]
+        total = [dot(sizes, column) for column in zip(*rows, strict=True)]
         if region:
             total = [x + dot(total, g.vector) for x, g in zip(concave, region, strict=True)]
         return LeafWork("", total, scale * self.unit, factors)
