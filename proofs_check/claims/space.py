@@ -326,7 +326,10 @@ def _jaws(m: int, load: tuple[Fraction, ...]) -> Question:
 
 @lru_cache(maxsize=64)
 def _verdict(question: Question) -> Verdict:
-    return Solver(grasp_of(question)).solve(question.wrench)
+    """Return the verdict whose proof cuts regions alone, which the second route reads."""
+    solver = Solver(grasp_of(question))
+    solver.engine.splits_states = False
+    return solver.solve(question.wrench)
 
 
 def _accepted_leaves(question: Question) -> int:

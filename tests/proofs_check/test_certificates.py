@@ -6,9 +6,7 @@ from typing import Any
 
 import pytest
 
-from equilibrium import solve
 from proofs_check.claims import space as certificates
-from proofs_check.instances.grasps import grasp_of
 from proofs_check.routes.leaves import _least, leaf_count
 from proofs_check.routes.oracle import Touch
 
@@ -16,7 +14,7 @@ QUESTION = certificates._jaws(6, (Fraction(1), Fraction(-5, 2), Fraction(1)))
 
 
 def tree() -> Any:
-    verdict = solve(grasp_of(QUESTION), QUESTION.wrench)
+    verdict = certificates._verdict(QUESTION)
     assert not verdict.stable
     return verdict.certificate.to_dict()["tree"]
 

@@ -141,8 +141,10 @@ def polygon(corners: Corners) -> Arrangement:
     Known counts: the sides of a regular polygon with n sides, n odd, have n (n + 1) / 2 + 1
     regions.
 
-    >>> [str(x) for x in polygon(4).vertices()[0].witness], polygon("0,0;1,0;0,1").region_count()
-    (['-2', '0'], 7)
+    >>> sorted([str(x) for x in corner.witness] for corner in polygon(4).vertices())
+    [['-2', '0'], ['0', '-2'], ['0', '2'], ['2', '0']]
+    >>> polygon("0,0;1,0;0,1").region_count()
+    7
     """
     given: Any = corners
     if isinstance(corners, str) and corners.strip().isdecimal():
