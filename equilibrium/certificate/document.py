@@ -132,15 +132,13 @@ def certificate(
     question["wrench"] = texts(by_body(subject, load))
     question |= displacement_entry(max_displacement)
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}
-    tree = proof.get("tree")
-    is_part = isinstance(tree, Mapping) and "part" in tree
-    write = partial(_leaf_entry, None if is_part else subject)
+    write = partial(_leaf_entry, subject)
     return Certificate(json.dumps(document, separators=(",", ":"), default=write))
 
 
-def _leaf_entry(subject: Subject | None, leaf: Leaf) -> Any:
-    """Return the JSON form of a leaf; of a part of an assembly that of a grasp, without subject."""
-    motion = texts(by_body(subject, leaf.motion) if subject else leaf.motion)
+def _leaf_entry(subject: Subject, leaf: Leaf) -> Any:
+    """Return the JSON form of a leaf."""
+    motion = texts(by_body(subject, leaf.motion))
     if isinstance(motion, dict):
         motion = {name: row for name, row in motion.items() if row != ["0"] * len(row)}
     elif not (leaf.multipliers or leaf.displacements):

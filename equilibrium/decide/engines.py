@@ -8,13 +8,11 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from dataclasses import replace
 from fractions import Fraction
-from functools import cache, cached_property, partial
-from importlib import import_module
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
-from arrangement.errors import MissingExtraError, OutOfReachError
+from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, dot
 from equilibrium.certificate.checker import proof_report
@@ -24,7 +22,7 @@ from equilibrium.model.effort import Effort
 from equilibrium.model.errors import TimeLimitError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
-from equilibrium.model.solution import Leaf, Open, Outcome, Refutation, Solution, Tree
+from equilibrium.model.solution import Open, Outcome, Refutation, Solution, Tree
 from equilibrium.model.subject import LoadCase
 from equilibrium.plane.coplanar import decide_in_plane
 from equilibrium.plane.search.motion_regions import resistance
@@ -38,12 +36,6 @@ if TYPE_CHECKING:
     # Questions in the plane start without the search in space.
     from equilibrium.core.memory import Memory
     from equilibrium.core.tree import SpatialSearch
-
-
-#: With more contacts the space of motions is cut at once: there a tree of states grows faster.
-_MAX_CONTACTS_TREE = 16
-#: Nodes of a tree of states in the plane, before the space of motions is cut.
-_MAX_NODES_TREE = 150
 
 
 class Engine(ABC):
@@ -90,14 +82,7 @@ class Engine(ABC):
 
 
 class PlanarEngine(Engine):
-    """The search in the space of planar motions, which always ends.
-
-    Attributes:
-        splits_states: whether few contacts are tried by a tree of states before regions are cut.
-            Leaves of regions hold for other numbers near, too, those of such a tree hardly.
-    """
-
-    splits_states = True
+    """The search in the space of planar motions, which always ends."""
 
     def __init__(self, grasp: Grasp, max_displacement: Fraction | None = None) -> None:
         self.grasp, self.max_displacement = grasp, max_displacement
@@ -122,9 +107,7 @@ class PlanarEngine(Engine):
             scaled = IntegerContacts(units.grasp(self.grasp), bound)
             self._scaled = {bound: scaled}
         try:
-            question = scaled, units.wrench(total), effort
-            first = tree_of_states if self.splits_states else None
-            outcome: Solution | Tree = resistance(*question, shorten, first)
+            outcome: Solution | Tree = resistance(scaled, units.wrench(total), effort, shorten)
         except TimeoutError as late:
             if effort.spent <= effort.steps:
                 raise TimeLimitError(f"undecided: {late}; give more time, or none") from None
@@ -142,62 +125,6 @@ class PlanarEngine(Engine):
     def equilibria(self, load: RationalVector) -> tuple[Any, ...]:
         """Return the maximal pieces of the set of all solutions."""
         return self.choices.equilibria(load)
-
-
-def tree_of_states(
-    contacts: IntegerContacts, wrench: RationalVector, effort: Effort
-) -> Solution | Tree | None:
-    """Return an equilibrium or a proof in the plane by splits on the states of contacts alone.
-
-    None for many contacts, for extreme numbers, where it takes too many nodes, and where Clarabel
-    is not installed.
-    """
-    few = len(contacts) <= _MAX_CONTACTS_TREE and contacts.floats.moderate
-    if not few or not has_clarabel():
-        return None
-    from equilibrium.core.cones import LineCones
-    from equilibrium.core.memory import OpenTree
-    from equilibrium.core.tree import SpatialSearch
-
-    bound = contacts.max_displacement
-    case = LoadCase(contacts.grasp, wrench, bound)
-
-    def accept(solution: Solution) -> bool:
-        return bool(proof_report(case, solution))
-
-    question = contacts.floats, wrench, accept, effort
-    search = SpatialSearch(*question, max_displacement=bound, cones=LineCones())
-    outcome = search.close(OpenTree(search.root), _MAX_NODES_TREE)
-    if isinstance(outcome, Open):
-        return None
-    return outcome if isinstance(outcome, Solution) else _with_zeros(outcome)
-
-
-@cache
-def has_clarabel() -> bool:
-    """Return whether the solver of conic programs, an extra, is installed."""
-    try:
-        import_module("equilibrium.core.tree")
-    except MissingExtraError:
-        return False
-    return True
-
-
-def _with_zeros(node: Any, decided: frozenset[int] = frozenset()) -> Any:
-    """Return a tree of states as one in a region, where multipliers of decided contacts are listed.
-
-    Without any a contact there does all that it does in the region, see
-    `equilibrium.certificate.leaf_rule`; in a tree of states it does nothing.
-    """
-    if isinstance(node, Leaf):
-        zeros = dict.fromkeys(sorted(decided), (0, 0))
-        return replace(node, multipliers={**zeros, **node.multipliers})
-    kind, i = "slip" if "slip" in node else "attachment", node["contact"]
-    children = {
-        state: _with_zeros(child, decided if state == "detached" else decided | {i})
-        for state, child in node[kind].items()
-    }
-    return {**node, kind: children}
 
 
 class SpatialEngine(Engine):
@@ -258,7 +185,7 @@ class SpatialEngine(Engine):
             max_displacement=self.max_displacement,
             cones=Pyramids(self._edges) if self._edges else None,
             memory=new_memory() if memory is None else memory,
-            in_plane=None if self._edges else partial(decide_in_plane, *question, tree_of_states),
+            in_plane=None if self._edges else partial(decide_in_plane, *question),
         )
 
     def states(self, solution: Solution) -> tuple[str, ...]:

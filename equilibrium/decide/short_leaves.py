@@ -6,19 +6,21 @@ Most leaves have room: the virtual motion rounded, alone or with its multipliers
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from itertools import chain
 from typing import Any
 
-from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.exact import RationalVector, primitive, to_text
 from equilibrium.certificate.leaf_rule import TreeQuestion
 from equilibrium.certificate.reading import STATES, Place
 from equilibrium.certificate.tree import placed_leaves
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Leaf, Tree
 
-#: Numbers of so many digits are rounded, to these shares of the largest one of a leaf.
-_LONG = 10**12
+#: Longer numbers are rounded, to these shares of the largest one of a leaf.
+_LONG = re.compile("[0-9]{13}")
 _SHARES = (10**3, 10**5, 10**7, 10**9, 10**11)
 
 
@@ -35,37 +37,50 @@ def with_short_leaves(
 
 
 def _is_long(node: Any) -> bool:
-    if isinstance(node, Leaf):
-        return any(max(abs(x), x.denominator) >= _LONG for row in node.rows for x in row)
     if isinstance(node, (Mapping, list)):
         return any(map(_is_long, node.values() if isinstance(node, Mapping) else node))
-    return False
+    return isinstance(node, str) and _LONG.search(node) is not None
 
 
-def _shorter(leaf: Leaf, place: Place, question: TreeQuestion) -> Leaf | None:
-    """Return a shorter leaf; None if there is none, or it is short."""
-    # On the half space, with more generators than a cone, linear terms cancel: there is no room.
-    if leaf.displacements or len(place.region) > 1 + len(leaf.motion) or not _is_long(leaf):
+def _shorter(leaf: Leaf, place: Place, question: TreeQuestion) -> Any:
+    """Return the form of a shorter leaf; None if there is none, or it is short."""
+    rows = [leaf.motion, *leaf.multipliers.values()]
+    if leaf.displacements or not _is_long([to_text(x) for row in rows for x in row]):
         return None
-    size = max(abs(x) for row in leaf.rows for x in row)
+    size = max(abs(x) for row in rows for x in row)
     for share in _SHARES:
-        motion, *multipliers = [tuple(round(x * share / size) for x in row) for row in leaf.rows]
-        alone = Leaf(motion)
+        motion, *multipliers = [[round(x * share / size) for x in row] for row in rows]
+        alone = Leaf(_whole(motion), {})
         factors = question.leaf_work(alone, place.region, place.states).factors
         given = {}
         for i, (alpha, *h) in zip(leaf.multipliers, multipliers, strict=True):
             # Rounding must not lift alpha above what the contact does.
             pair = factors[i]
-            given[i] = (alpha if pair is None else min(alpha, int(pair[0] // pair[1])), *h)
-        for short in (alone, Leaf(motion, given)):
+            given[i] = [alpha if pair is None else min(alpha, int(pair[0] // pair[1])), *h]
+        for short in (alone, Leaf(alone.motion, {i: _whole(x) for i, x in given.items()})):
             if any(motion) and not question.leaf_problem(short, place):
-                return short.in_integers()
+                return _form(short)
     return None
+
+
+def _form(leaf: Leaf) -> Any:
+    """Return a leaf as certificates write it."""
+    rows = [leaf.motion, *leaf.multipliers.values()]
+    texts = iter(map(to_text, primitive(list(chain(*rows)))))
+    motion, *multipliers = [[next(texts) for _ in row] for row in rows]
+    if not multipliers:
+        return motion
+    listed = zip(map(str, leaf.multipliers), multipliers, strict=True)
+    return {"virtual_motion": motion, "multipliers": dict(listed)}
+
+
+def _whole(row: list[int]) -> RationalVector:
+    return tuple(map(Fraction, row))
 
 
 def _replaced(node: Any, leaves: Iterator[Any]) -> Any:
     """Return a tree with other leaves, in its order; None keeps one."""
-    if isinstance(node, Leaf):
+    if isinstance(node, list) or "virtual_motion" in node:
         return next(leaves) or node
     if "orthants" in node:
         return {"orthants": [_replaced(child, leaves) for child in node["orthants"]]}

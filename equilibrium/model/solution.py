@@ -8,11 +8,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from itertools import chain
 from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.console.number_form import JsonMixin, counted
-from arrangement.numbers.exact import RationalVector, dot, primitive, to_text, vector_text
+from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
 from arrangement.numbers.linear.rank import cross, difference
 
 from .contact import Contact
@@ -188,22 +187,8 @@ class Leaf:
     """
 
     motion: tuple[Any, ...]
-    multipliers: Mapping[int, Sequence[Any]] = field(default_factory=dict)
+    multipliers: Mapping[int, Sequence[Any]]
     displacements: Mapping[int, Sequence[Any]] = field(default_factory=dict)
-
-    @property
-    def rows(self) -> tuple[Sequence[Any], ...]:
-        """All numbers."""
-        return self.motion, *self.multipliers.values(), *self.displacements.values()
-
-    def in_integers(self) -> Leaf:
-        """Return the same leaf times a number above 0, in coprime integers."""
-        numbers = iter(primitive(list(chain(*self.rows))))
-        motion, multipliers, displacements = (
-            {i: tuple(next(numbers) for _ in row) for i, row in rows.items()}
-            for rows in ({0: self.motion}, self.multipliers, self.displacements)
-        )
-        return Leaf(motion[0], multipliers, displacements)
 
 
 #: The tree of virtual motions that refutes all, in the form of certificates or with such leaves.

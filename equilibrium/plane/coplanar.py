@@ -19,22 +19,17 @@ from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, in_plane
 from equilibrium.model.solution import Solution
-from equilibrium.plane.search.motion_regions import First, resistance
+from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.units import SearchUnits
 
 
 def decide_in_plane(
-    grasp: Grasp,
-    wrench: RationalVector,
-    effort: Effort,
-    max_displacement: Fraction | None = None,
-    first: First | None = None,
+    grasp: Grasp, wrench: RationalVector, effort: Effort, max_displacement: Fraction | None = None
 ) -> Solution | dict[str, Any] | None:
     """Return an equilibrium or a proof, or None if no plane with rational axes has the question.
 
     Args:
         wrench: of the load, and of the adhesion of the contacts.
-        first: see `resistance`.
 
     With a largest displacement only where each contact has a tangent in the plane: then its
     displacements are those of space.
@@ -51,7 +46,7 @@ def decide_in_plane(
         return None
     units = SearchUnits.of(flat, load)
     scaled = IntegerContacts(units.grasp(flat), units.displacement(max_displacement))
-    found = resistance(scaled, units.wrench(load), effort, first=first)
+    found = resistance(scaled, units.wrench(load), effort)
     if not isinstance(found, Solution):
         return {
             "plane": [list(map(to_text, axis)) for axis in axes],

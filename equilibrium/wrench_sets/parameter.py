@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.plugins import attached
@@ -40,8 +40,7 @@ from equilibrium.core.contact_law import ContactState, LinearQuestion, State
 from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contacts import IntegerContacts
 from equilibrium.decide.assemblies.ends import Giving, limits_of
-from equilibrium.decide.engines import PlanarEngine
-from equilibrium.decide.solver import Solver
+from equilibrium.decide.solver import solve
 from equilibrium.grasps.inputs.parameter import read_parametric
 from equilibrium.model.errors import GraspError
 from equilibrium.model.parameter import ParametricQuestion
@@ -342,11 +341,8 @@ class _Search:
 
     def _ask(self, value: Fraction, gap: Span) -> None:
         """Decide at a value, and add what its proof proves."""
-        subject, load = cast(Any, self.family.at(value))
-        solver = Solver(subject)
-        if isinstance(solver.engine, PlanarEngine):
-            solver.engine.splits_states = False
-        verdict: Any = solver.solve(load)
+        question: Any = self.family.at(value)
+        verdict: Any = solve(*question)
         self.asked[value] = verdict.verdict
         if verdict.verdict == "undecided":
             return

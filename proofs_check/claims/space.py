@@ -326,10 +326,7 @@ def _jaws(m: int, load: tuple[Fraction, ...]) -> Question:
 
 @lru_cache(maxsize=64)
 def _verdict(question: Question) -> Verdict:
-    """Return the verdict whose proof cuts regions alone, which the second route reads."""
-    solver = Solver(grasp_of(question))
-    solver.engine.splits_states = False
-    return solver.solve(question.wrench)
+    return Solver(grasp_of(question)).solve(question.wrench)
 
 
 def _accepted_leaves(question: Question) -> int:

@@ -11,14 +11,12 @@ from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
-from unittest import mock
 
 import pytest
 
 from arrangement import InputError
 from equilibrium import Contact, Grasp, solve
 from equilibrium.certificate.checker import check
-from equilibrium.decide import engines
 from equilibrium.decide.as_printed import OPTIONS
 from equilibrium.methods.registry import METHODS
 from equilibrium.pictures.lab.page import DECIDES, lab_page
@@ -116,9 +114,7 @@ def region_proofs() -> list[dict[str, Any]]:
     """Return proofs of the solver that cut the space of motions by orthants and by edges."""
     found = []
     for grasp, wrench in questions(200, seed=23):
-        # Without the tree of states, as where Clarabel is absent.
-        with mock.patch.object(engines, "tree_of_states", None):
-            verdict = solve(grasp, wrench)
+        verdict = solve(grasp, wrench)
         document = verdict.certificate.to_dict()
         if not verdict.stable and '"edge"' in json.dumps(document):
             found.append(document)

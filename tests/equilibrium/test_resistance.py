@@ -16,11 +16,10 @@ from equilibrium import Contact, Grasp, TimeLimitError, read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate
 from equilibrium.core.contacts import IntegerContacts
-from equilibrium.decide import engines
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.effort import STEPS, Effort
-from equilibrium.model.solution import Leaf
+from equilibrium.plane.search import units
 from equilibrium.plane.search.motion_regions import HALF_SPACE, MotionRegions
 from equilibrium.plane.search.region_states import StateSplits, TooManyParts
 from equilibrium.plane.search.state_equilibrium import (
@@ -65,28 +64,6 @@ def assert_true(grasp: Grasp, wrench: Wrench, found: Any) -> bool:
     report = check(refuted_certificate(grasp, wrench, found).to_dict(), (grasp, wrench))
     assert report, report.problem
     return False
-
-
-@pytest.mark.parametrize("first", range(0, 64, 8))
-def test_verdicts_without_clarabel_are_the_same(monkeypatch, first):
-    """Then no tree of states is searched, and the space of motions is cut at once."""
-    asked = [(x.grasp, x.wrench) for x in map(question, range(first, first + 8))]
-    asked += [(pulled_apart(m, first + m), (-1, 0, 1)) for m in (3, 6, 9, 12)]
-    verdicts = [solve(*pair) for pair in asked]
-    monkeypatch.setattr(engines, "has_clarabel", lambda: False)
-    for pair, verdict in zip(asked, verdicts, strict=True):
-        other = solve(*pair)
-        assert other.stable == verdict.stable
-        assert verdict.verify()
-        assert other.verify()
-
-
-def test_few_contacts_are_split_by_states(monkeypatch):
-    grasp, wrench = pulled_apart(6, 1), (-1, 0, 1)
-    proofs = [solve(grasp, wrench).certificate.to_dict()["tree"]]
-    monkeypatch.setattr(engines, "has_clarabel", lambda: False)
-    proofs.append(solve(grasp, wrench).certificate.to_dict()["tree"])
-    assert list(map(list, proofs)) == [["contact", "attachment"], ["orthants"]]
 
 
 @pytest.mark.slow
@@ -208,9 +185,7 @@ def test_a_shortened_proof_holds():
 def test_time_limit_ends_search(monkeypatch):
     grasp, wrench = hard()
     monkeypatch.setattr(deadline, "clock", count().__next__)
-    with pytest.raises(
-        TimeLimitError, match=r"^undecided: time limit of 0.1 s, .*; give more time"
-    ):
+    with pytest.raises(TimeLimitError, match=r"^undecided: time limit of 0.1 s; give more time"):
         Solver(grasp).solve(wrench, time_limit=0.1)
     assert not solve(grasp, wrench).stable
 
@@ -273,7 +248,7 @@ def test_a_contact_that_pushes_all_over_a_region_needs_no_state():
     contacts = IntegerContacts(Grasp([Contact((0, 0), (0, 1), 0, 1, 1)]))
     wrench = (Fraction(0), Fraction(-1, 2), Fraction(0))
     region = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, -1, 0), (0, 0, 0, 1)]
-    assert StateSplits(contacts, wrench, region, 1).decide().multipliers == {}
+    assert isinstance(StateSplits(contacts, wrench, region, 1).decide(), list)
     with pytest.raises(TooManyParts):
         StateSplits(contacts, wrench, region, 0).decide()
     found = StateSplits(contacts, wrench, HALF_SPACE, 10).decide()
@@ -281,9 +256,8 @@ def test_a_contact_that_pushes_all_over_a_region_needs_no_state():
     assert found.motion == (0, Fraction(1, 2), 0)
 
 
-def test_leaf_in_integers_keeps_proportions():
-    leaf = Leaf((0, Fraction(-1, 2), 3), {4: (Fraction(3, 4), 0)}, {1: (Fraction(1, 4), 0)})
-    assert leaf.in_integers() == Leaf((0, -2, 12), {4: (3, 0)}, {1: (1, 0)})
+def test_numbers_of_leaves_are_integers_or_fractions():
+    assert (units._number("-1/2"), units._number("-3")) == (Fraction(-1, 2), -3)
 
 
 def test_many_contacts_with_huge_numbers_are_refused():
@@ -341,4 +315,4 @@ def test_contacts_that_press_bear_what_floats_leave_open():
 
 
 def test_tiny_load_refuted_without_search():
-    assert MotionRegions(*in_one_point((1, 2, 3))).half_space() == Leaf((0, 0, 1))
+    assert MotionRegions(*in_one_point((1, 2, 3))).half_space() == ["0", "0", "1"]

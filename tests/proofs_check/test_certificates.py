@@ -6,7 +6,9 @@ from typing import Any
 
 import pytest
 
+from equilibrium import solve
 from proofs_check.claims import space as certificates
+from proofs_check.instances.grasps import grasp_of
 from proofs_check.routes.leaves import _least, leaf_count
 from proofs_check.routes.oracle import Touch
 
@@ -14,7 +16,7 @@ QUESTION = certificates._jaws(6, (Fraction(1), Fraction(-5, 2), Fraction(1)))
 
 
 def tree() -> Any:
-    verdict = certificates._verdict(QUESTION)
+    verdict = solve(grasp_of(QUESTION), QUESTION.wrench)
     assert not verdict.stable
     return verdict.certificate.to_dict()["tree"]
 

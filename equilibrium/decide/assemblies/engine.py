@@ -73,7 +73,6 @@ class AssemblyEngine(Engine):
         inside, load = with_root_as_ground(self.assembly, part), part.wrenches[name]
         grasp = Grasp(c.contact for c in inside.contacts)
         engine = PlanarEngine(grasp, self.max_displacement)
-        engine.splits_states = False
         try:
             outcome = engine.outcome(load, effort)
         except (OutOfReachError, TimeLimitError) as late:

@@ -11,9 +11,9 @@ from __future__ import annotations
 import itertools
 import json
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
@@ -23,13 +23,11 @@ from arrangement.numbers.float_filter import Floats
 from equilibrium.core.contacts import IntegerContacts
 from equilibrium.core.continuation import motion_scale
 from equilibrium.model.effort import Effort
-from equilibrium.model.solution import Leaf, Solution
+from equilibrium.model.solution import Solution
 from equilibrium.plane.search.region_states import Node, StateSplits, TooManyParts
 from equilibrium.plane.search.state_equilibrium import find_equilibrium
 from equilibrium.plane.search.virtual_motions import Regions, VirtualMotions, closed
 
-#: What may decide a question: of contacts, wrench and effort; None if it does not.
-First: TypeAlias = Callable[[IntegerContacts, RationalVector, Effort], Solution | Node | None]
 EDGES = tuple(itertools.combinations(range(4), 2))
 #: Generators of all homogeneous motions, and of the eight orthants in the order of certificates.
 HALF_SPACE = (
@@ -119,11 +117,8 @@ class MotionRegions:
         self.rows = self.rows.reshape(-1, 4)
         self.rows /= np.abs(self.rows).max(axis=1, keepdims=True, initial=1e-300)
 
-    def search(self, first: First | None = None) -> Node | Solution:
+    def search(self) -> Node | Solution:
         """Return the tree, or an equilibrium.
-
-        Args:
-            first: what may decide before regions are cut.
 
         Raises:
             TimeoutError: no effort is left.
@@ -132,21 +127,20 @@ class MotionRegions:
         active = self._unclosed(
             [_OpenRegion(orthant, (children, n)) for n, orthant in enumerate(ORTHANTS)]
         )
-        early = first and active and first(self.contacts, self.wrench, self.effort)
-        if early:
-            return early
-        few = len(self.contacts) <= _MAX_CONTACTS_WHOLE
-        cuts, whole_after = 0, _CUTS_BEFORE_WHOLE if few else math.inf
+        cuts, first = (
+            0,
+            _CUTS_BEFORE_WHOLE if len(self.contacts) <= _MAX_CONTACTS_WHOLE else math.inf,
+        )
         if not self.contacts.floats.moderate:
-            whole_after, count = 0, len(self.contacts)
+            first, count = 0, len(self.contacts)
             budget.check_cost(
                 f"exact programs for {count} contacts with huge or tiny numbers",
                 "round them to the range from 1e-30 to 1e30",
                 steps=30 * count**3,
             )
         while active:
-            if cuts >= whole_after:
-                whole_after = math.inf
+            if cuts >= first:
+                first = math.inf
                 root: list[Node] = [None]
                 if self._by_states(_OpenRegion(HALF_SPACE, (root, 0)), _MAX_PROGRAMS_WHOLE):
                     return root[0] if self.solution is None else self.solution
@@ -189,7 +183,7 @@ class MotionRegions:
             across = np.abs(c.tangent.dot(motion) * c.friction)
             work = sum(int(x) * w for x, w in zip(motion, self.wrench, strict=True))
             if work > 0 and (c.normal.dot(motion) * c.friction_unit >= across).all():
-                return Leaf(tuple(motion))
+                return [to_text(x) for x in motion]
         return None
 
     def _scaled(self, regions: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, Floats]:
@@ -232,7 +226,7 @@ class MotionRegions:
         for place, (n, motion, multiplier) in enumerate(zip(hopeful, exact, tested, strict=True)):
             if multiplier is None:
                 continue
-            leaf = Leaf(tuple(motion))
+            leaf: Node = [to_text(x) for x in motion]
             if multiplier:
                 leaf = self.contacts.bound_leaf(motion, {rows[place]: multiplier})
             regions[n].close(leaf)
@@ -349,14 +343,12 @@ def resistance(
     wrench: RationalVector,
     effort: Effort,
     shorten: bool = False,
-    first: First | None = None,
 ) -> Solution | Node:
     """Return an equilibrium, or the tree that proves that there is none; always one of the two.
 
     Args:
         effort: that is left.
         shorten: try for a smaller tree, within the effort.
-        first: what may decide before regions are cut; not where a smaller tree is asked for.
 
     Raises:
         TimeoutError: no effort is left.
@@ -365,16 +357,10 @@ def resistance(
     leaf = regions.half_space()
     if leaf is not None:
         return leaf
-    outcome = find_equilibrium(contacts, wrench) or regions.search(None if shorten else first)
-    if isinstance(outcome, Solution) or not shorten:
-        return outcome
-    proofs = outcome, *_others(contacts, wrench, effort)
-    return min(proofs, key=lambda tree: len(json.dumps(tree, default=_numbers)))
-
-
-def _numbers(part: Any) -> Any:
-    """Return what certificates write of a leaf, about."""
-    return part.rows if isinstance(part, Leaf) else str(part)
+    found = find_equilibrium(contacts, wrench) or regions.search()
+    if isinstance(found, Solution) or not shorten:
+        return found
+    return min((found, *_others(contacts, wrench, effort)), key=lambda tree: len(json.dumps(tree)))
 
 
 def _others(contacts: IntegerContacts, wrench: RationalVector, effort: Effort) -> list[Node]:
