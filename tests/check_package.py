@@ -53,6 +53,8 @@ FILES = {
     RECIPE,
     "constraints.txt",
 }
+#: What the wheel has in another place than the source archive.
+MOVED = {"proofs_check/slipstates.py": "slipstates.py"}
 RUBBISH = re.compile(
     r"(^|/)(__pycache__|_build|_generated|names|build|dist|report|counterexamples|\.(?!github|gitignore|zenodo)"
     r"[^/]*)(/|$)|\.(pyc|sqlite|egg-info)$"
@@ -97,8 +99,12 @@ def wrong_files(archived: set[str], wheel: set[str], tracked: set[str]) -> list[
         wheel: paths in the wheel, without its metadata.
         tracked: paths under version control; empty when there is none.
     """
-    wanted = {path for path in tracked if path.startswith((*PACKAGES, "tests/", "docs/"))}
+    archived = {MOVED.get(path, path) for path in archived}
+    wanted = {
+        MOVED.get(path, path) for path in tracked if path.startswith((*PACKAGES, "tests/", "docs/"))
+    }
     packages = {path for path in archived if path.startswith(tuple(f"{p}/" for p in PACKAGES))}
+    packages |= archived & set(MOVED.values())
     return [
         *(f"rubbish in the source archive: {p}" for p in sorted(archived) if RUBBISH.search(p)),
         *(f"not in the source archive: {p}" for p in sorted((wanted | FILES) - archived)),

@@ -164,7 +164,8 @@ def hand_out(app, tree, name):
 
 def write_homework(app, error):
     """Write each sheet of homework, its solutions, and both as TeX."""
-    if app.builder.format != "html" or error is not None:
+    # Where no page of a lesson was written, the sheets are there already.
+    if app.builder.format != "html" or error is not None or not _EXERCISES:
         return
     for sheet in course(app.srcdir).get("homework", ()):
         for lesson in {lesson for lesson, *_ in sheet["exercises"]} - _EXERCISES.keys():

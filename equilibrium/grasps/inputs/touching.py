@@ -229,6 +229,10 @@ def touching(
         raise GraspError(
             f"gap is {to_text(close)}; it must be at least 0 and below the least radius"
         )
+    names = Counter(shape.name for shape in listed if shape.is_body)
+    for name, times in names.items():
+        if times > 1:
+            raise GraspError(f"the body {name} is there twice; expected each name once")
     found = [
         touch
         for one, other in combinations(listed, 2)
