@@ -151,7 +151,7 @@ def _leaf_entry(subject: Subject, leaf: Leaf) -> Any:
     moved = {str(i): texts(row) for i, row in leaf.displacements.items()}
     return {
         "virtual_motion": motion,
-        **({"multipliers": rows} if rows else {}),
+        **({"multipliers": rows} if rows or not is_long else {}),
         **({"displacements": moved} if moved else {}),
     }
 
