@@ -193,6 +193,8 @@ def _force_closure(arguments: argparse.Namespace) -> int:
         least = closure_friction(grasp)
         document["least_friction"] = least.to_dict()
         lines.append(_friction_line(least))
+    else:
+        lines.append(f"least friction   not computed above {_MOST_WITH_LEAST_FRICTION} contacts")
     if grasp.dimension == 3:
         document["pyramid"] = edges
         lines.append(f"linearised space {pyramid_words(edges)}, inside the round cones:")
