@@ -229,8 +229,7 @@ def touching(
         raise GraspError(
             f"gap is {to_text(close)}; it must be at least 0 and below the least radius"
         )
-    names = Counter(shape.name for shape in listed if shape.is_body)
-    for name, times in names.items():
+    for name, times in Counter(shape.name for shape in listed if shape.is_body).items():
         if times > 1:
             raise GraspError(f"the body {name} is there twice; expected each name once")
     found = [
@@ -257,11 +256,11 @@ def touching(
                 miss = abs(turn(difference(centres[second.name], centre), normal))
         assert point is not None  # those of discs are set above
         misses.append(miss)
-        names = first.name, second.name if second.is_body else None
+        body, against = first.name, second.name if second.is_body else None
         if not first.is_body:
-            names, normal = (second.name, None), tuple(-x for x in normal)
+            body, against, normal = second.name, None, tuple(-x for x in normal)
         law = values(first.name, second.name)
-        contacts.append((*names, Contact(point, normal, **law)))
+        contacts.append((body, against, Contact(point, normal, **law)))
     return TouchingShapes(
         tuple(contacts),
         tuple(found),
