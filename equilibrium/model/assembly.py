@@ -72,10 +72,8 @@ class RigidBody:
             )
         if self.outline is not None:
             _check_plane(self.outline, f"the outline of {self.name}")
-        if self.weight and self.centre is None and self.outline is None:
-            raise GraspError(
-                f"{self.name} has a weight and neither centre nor outline; expected one of them"
-            )
+        if self.weight and self.centre is None:
+            _ = self.middle  # is there one?
 
     @property
     def middle(self) -> RationalVector:
@@ -88,7 +86,10 @@ class RigidBody:
             return self.centre
         if self.outline is None:
             raise GraspError(f"{self.name} has neither centre nor outline; expected one of them")
-        return centroid(self.outline)
+        try:
+            return centroid(self.outline)
+        except GraspError as error:
+            raise GraspError(f"{self.name}: {error}") from None
 
     @property
     def weight_wrench(self) -> RationalVector:
