@@ -71,6 +71,10 @@ def rational(value: Rational, name: str = "number") -> Fraction:
             + budget.by_caller(", or convert on purpose with arrangement.from_floats", "")
         )
     numerator, denominator = (getattr(value, k, None) for k in ("numerator", "denominator"))
+    if (
+        value is not None and numerator is value
+    ):  # a function of a letter, see `arrangement.numbers.functions`
+        return value  # type: ignore[return-value]
     if isinstance(numerator, int) and isinstance(denominator, int):  # sympy's PythonMPQ
         return Fraction(numerator, denominator)
     if hasattr(value, "p") and hasattr(value, "q"):  # python-flint's fmpq

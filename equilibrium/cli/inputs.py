@@ -216,18 +216,19 @@ def _shapes(arguments: argparse.Namespace) -> int:
     from equilibrium.model.assembly import Assembly
 
     if arguments.parameter is not None:
-        made = shapes_with_letter(
+        kind = "assembly"
+        made, remarks = shapes_with_letter(
             arguments.file, arguments.parameter, arguments.friction, arguments.gap
         )
-        return _give(arguments, {"assembly": made})
-    names = ("friction", "gap", "angle_tolerance")
-    read = read_shapes(arguments.file, **{name: getattr(arguments, name) for name in names})
+    else:
+        names = ("friction", "gap", "angle_tolerance")
+        read = read_shapes(arguments.file, **{name: getattr(arguments, name) for name in names})
+        kind = "assembly" if isinstance(read.subject, Assembly) else "grasp"
+        made, remarks = read.to_dict(), read.remarks
     if not arguments.json:
-        for remark in read.remarks:
+        for remark in remarks:
             print(f"note: {remark}", file=sys.stderr)
-    kind = "assembly" if isinstance(read.subject, Assembly) else "grasp"
-    remarks = {"remarks": read.remarks} if read.remarks else {}
-    return _give(arguments, {kind: read.to_dict(), **remarks})
+    return _give(arguments, {kind: made, **({"remarks": remarks} if remarks else {})})
 
 
 def _give(arguments: argparse.Namespace, document: dict[str, Any]) -> int:

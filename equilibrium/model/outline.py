@@ -160,14 +160,14 @@ def centroid(outline: Outline) -> RationalVector:
         return outline.centre
     corners = outline.corners if isinstance(outline, Polygon) else ()
     pairs = list(cycle_edges(corners))
-    parts = [a[0] * b[1] - a[1] * b[0] for a, b in pairs]
+    parts: list[Any] = [a[0] * b[1] - a[1] * b[0] for a, b in pairs]
     if not sum(parts):
         raise GraspError("the outline has no area; expected a polygon with one, or a centre")
     sums = (
         sum((a[j] + b[j]) * part for (a, b), part in zip(pairs, parts, strict=True))
         for j in range(2)
     )
-    return tuple(Fraction(total) / (3 * sum(parts)) for total in sums)
+    return tuple(total / (3 * sum(parts)) for total in sums)
 
 
 #: A `Circle` may be a `Sphere`.

@@ -20,15 +20,14 @@ from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import check_keys, check_list
-from arrangement.numbers.exact import shown, to_text
+from arrangement.numbers.exact import rational, shown, to_text
 from arrangement.numbers.expressions import Expression, read_expression
-from arrangement.numbers.functions import Domain, Function, Undecided, square_root
+from arrangement.numbers.functions import Domain, Function, Span, Undecided, square_root
 
 from .assembly import SIZE, Assembly, RigidBody, wrenches_of
 from .contact import VALUES
 from .errors import GraspError
 from .grasp import Grasp
-from .outline import centroid
 
 #: A grasp and a wrench, or an assembly and the wrenches on its bodies.
 AnyQuestion: TypeAlias = tuple[Grasp | Assembly, Any]
@@ -108,6 +107,17 @@ class ParametricQuestion:
     def degrees(value: Fraction) -> float:
         """Return an angle in degrees from the tangent of its half."""
         return math.degrees(2 * math.atan(value))
+
+    def check(self, span: Span) -> None:
+        """Refuse an interval of values at some of which the numbers make no question.
+
+        Raises:
+            InputError: a number is out of range, or divides by 0.
+        """
+        self.at((span.low + span.high) / 2)
+        domain = Domain(span, letter=self.letter)
+        self.contacts(domain)
+        self.load(domain)
 
     def value(self, letter: Fraction) -> Fraction:
         """Return the value where the letter is a number; of an angle nearly.
@@ -205,11 +215,15 @@ class ParametricQuestion:
         if not isinstance(body, Mapping) or "weight" not in body:
             return zero, zero, zero
         weight = self._value(body["weight"], letter, "weight")
-        if "centre" in body:
-            x = self._value(body["centre"][0], letter, "centre")
-        else:
-            plain = RigidBody.from_dict(mapped_one(body, lambda e, name: to_text(e.value(None))))
-            x = centroid(plain.outline)[0]  # type: ignore[arg-type]
+        own = {key: x for key, x in body.items() if key != "weight"}
+        try:
+            x, _ = RigidBody.from_dict(
+                mapped_one(own, lambda e, name: zero + self._value(e, letter, name))
+            ).middle
+        except Undecided:
+            raise GraspError(
+                f"the centre of {body['name']} is undefined for some value; choose another interval"
+            ) from None
         return zero, zero - weight, zero - weight * x
 
     def _value(self, expression: Expression, value: Any, name: str) -> Any:
@@ -260,6 +274,18 @@ class ParametricQuestion:
                 "[2*t, 1 - t^2], or an angle"
             )
         return x / length, y / length
+
+
+def interval(low: Any, high: Any) -> Span:
+    """Return the interval between two numbers.
+
+    Raises:
+        InputError: the first is above the second.
+    """
+    ends = rational(low, "low"), rational(high, "high")
+    if ends[0] > ends[1]:
+        raise GraspError(f"low is {shown(low)} and high is {shown(high)}; expected low below high")
+    return Span(*ends)
 
 
 def _turn(u: Any) -> tuple[Any, Any]:

@@ -43,7 +43,7 @@ from equilibrium.decide.assemblies.ends import Giving, limits_of
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.inputs.parameter import read_parametric
 from equilibrium.model.errors import GraspError
-from equilibrium.model.parameter import ParametricQuestion
+from equilibrium.model.parameter import ParametricQuestion, interval
 from equilibrium.model.rows import ContactRow, ContactRows
 from equilibrium.model.solution import Leaf
 from equilibrium.plane.search.motion_regions import HALF_SPACE
@@ -238,10 +238,8 @@ def resisted_values(
     """
     is_read = isinstance(source, ParametricQuestion)
     family: Any = source if is_read else read_parametric(source, letter, wrench)  # type: ignore[arg-type]
-    start, end = (family.value(rational(x, name)) for x, name in ((low, "low"), (high, "high")))
-    if start > end:
-        raise GraspError(f"low is {shown(low)} and high is {shown(high)}; expected low below high")
-    return proved_values(family, Span(start, end), tolerance)
+    asked = interval(low, high)
+    return proved_values(family, Span(*map(family.value, (asked.low, asked.high))), tolerance)
 
 
 def proved_values(
@@ -263,11 +261,7 @@ class _Search:
         self.asked: dict[Fraction, str] = {}
         #: Ends of gaps near which a value was asked.
         self.near: set[Fraction] = set()
-        family.at((between.low + between.high) / 2)  # what is no question is named here
-        # Numbers out of range are found here, for all values.
-        domain = Domain(between, letter=family.letter)
-        function_rows(family, domain)
-        family.load(domain)
+        family.check(between)
 
     def answer(self) -> ResistedValues:
         """Return the answer."""

@@ -143,7 +143,7 @@ class TestPolygon:
         [
             ([(0, 0), (1, 0)], "three corners"),
             ([(0, 0), (2, 2), (2, 0), (0, 2)], "meet"),  # a bow tie
-            ([(0, 0), (2, 0), (1, 0)], "meet"),  # no area
+            ([(0, 0), (2, 0), (1, 0)], "on one line"),  # no area
             ([(0, 0), (4, 0), (4, 4), (2, 0), (0, 4)], "meet"),  # a corner touches an edge
             ([(0, 0), (0, 0), (1, 0), (0, 1)], "meet"),  # a corner twice
             ([(0, 0), (1, 0), (0, 0.5)], "float"),

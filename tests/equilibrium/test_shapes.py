@@ -3,6 +3,7 @@
 import json
 import math
 import random
+import re
 from fractions import Fraction
 from itertools import accumulate, combinations, pairwise, product
 
@@ -10,6 +11,7 @@ import pytest
 
 from arrangement.errors import InputError
 from arrangement.numbers.expressions import read_expression
+from arrangement.numbers.functions import Domain, Span
 from equilibrium import (
     Circle,
     Contact,
@@ -23,7 +25,7 @@ from equilibrium import (
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import read_shapes
 from equilibrium.grasps.inputs.documents import read_assembly
-from equilibrium.grasps.inputs.shapes_letter import _mapped, shapes_with_letter
+from equilibrium.grasps.inputs.shapes_letter import mapped_numbers, shapes_with_letter
 from equilibrium.grasps.schemas import assembly_schema, grasp_schema, shapes_schema
 from equilibrium.model.assembly import Assembly, BodyContact, RigidBody
 from equilibrium.model.outline import Segments, Sphere, read_outline
@@ -648,7 +650,8 @@ class TestLetter:
         [(WHEEL, "1/4", "1/2"), (TUBE, "1/3", "4/5"), (SLOPE, "1/9", "1/3")],
     )
     def test_formulas_are_the_contacts_at_each_value(self, known, low, high):
-        made = shapes_with_letter(known, f"t={low}..{high}")
+        made, remarks = shapes_with_letter(known, f"t={low}..{high}")
+        assert remarks == []
         question = ParametricQuestion(made, "t")
         for k in range(1, 40):
             value = Fraction(low) + (Fraction(high) - Fraction(low)) * Fraction(k, 40)
@@ -656,7 +659,7 @@ class TestLetter:
             def at(x, value=value):
                 return str(read_expression(x, "t").value(value))
 
-            read = read_shapes(_mapped(known, at))
+            read = read_shapes(mapped_numbers(known, at))
             assert question.at(value) == (read.subject, read.subject.weights)
             assert len(read.subject.contacts) > 2
 
@@ -674,12 +677,40 @@ class TestLetter:
         assert (span.low, span.high) == (Fraction(1, 3), Fraction(1, 2))
         assert values.verify()
 
+    def test_value_without_a_proof_is_named(self):
+        known = document(
+            [disc("a", 0, 1, 1), disc("b", "2+(t^2-2)^2", 1, 1)], [walls((-9, 0), (9, 0))]
+        )
+        made, (remark,) = shapes_with_letter(known | {"friction": "t"}, "t=1..2")
+        assert len(made["contacts"]) == 2
+        low, high = map(Fraction, re.fullmatch(r".* in .(\S+), (\S+).", remark).groups())
+        assert 0 < high - low < Fraction(1, 10**11)
+        assert low**2 < 2 < high**2
+
+    def test_polygon_whose_centroid_moves(self):
+        corners = [[0, 0], ["3+t", 0], [0, 3]]
+        body = {"name": "a", "polygon": corners, "weight": "t"}
+        made, _ = shapes_with_letter(document([body], [walls((-9, 0), (9, 0))]), "t=0..1")
+        question = ParametricQuestion(made, "t")
+        span = Span(Fraction(0), Fraction(1))
+        assert (
+            [x.at(Fraction(1, 2)) for x in question.load(Domain(span))]
+            == [question.at("1/2")[1]["a"][k] for k in range(3)]
+            == [0, Fraction(-1, 2), Fraction(-7, 12)]
+        )
+
     @pytest.mark.parametrize(
         ("changes", "parameter", "words"),
         [
             ({"gap": "1"}, "t=0..1", "neither wrench nor gap"),
             ({"bodies": [disc("a", 0, "1+(t-10/7)^2", 1)]}, "t=1..2", "contacts are others"),
             ({"bodies": [disc("a", 0, "cos(t)", 1)]}, "t=1..2", "has an angle"),
+            # The second disc touches at t = 13/9 alone, and at an irrational value.
+            ({"bodies": [disc("a", 0, 1, 1), disc("b", "2+(t-13/9)^2", 1, 1)]}, "t=1..2", "13/9"),
+            ({"bodies": [disc("a", 0, "t", 1)]}, "t=2..1", "expected low below high"),
+            ({"friction": "1/t"}, "t=0..1", "for t = 0 a number divides by 0"),
+            ({"friction": "t-1/2"}, "t=0..1", "below 0 for some values"),
+            ({"bodies": [disc("a", 0, "t", "t")]}, "t=0..1", "for t = 0: .*radius"),
             ({"bodies": [disc("a", 0, 1, 1, density="t")]}, "t=1..2", "of no polygon"),
             ({"bodies": [disc("a", 0, 1, 1, weight="t") | {"force": [0, "t"]}]}, "t=1..2", "force"),
             ({"threads": [{"body_a": "a", "body_b": None, "point": [0, 0], "to": ["t", 1]}]},

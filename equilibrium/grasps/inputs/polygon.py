@@ -11,6 +11,7 @@ from arrangement.library.arguments import at_least, entries
 from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
 from arrangement.numbers.exact import (
     RationalVector,
+    dot,
     from_float,
     rational,
     rational_vector,
@@ -166,6 +167,8 @@ def orientation(corners: Sequence[RationalVector]) -> int:
     n = len(corners)
     if n < 3:
         raise GraspError(f"a polygon has at least three corners; {n} are given")
+    if all(is_straight(corners, i) for i in range(n)):
+        raise GraspError("the corners of the polygon lie on one line; give three that do not")
     for i in range(n):
         for j in range(i + 1, n):
             if _clash(corners, i, j):
@@ -213,7 +216,7 @@ def place_on_segment(
     along, away = difference(end, start), difference(point, start)
     if turn(along, away) != 0:
         return None
-    s = (along[0] * away[0] + along[1] * away[1]) / (along[0] ** 2 + along[1] ** 2)
+    s: Fraction = dot(along, away) / dot(along, along)
     return s if 0 <= s <= 1 else None
 
 

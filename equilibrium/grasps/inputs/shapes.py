@@ -108,28 +108,8 @@ def read_shapes(
     [['3/5', '4/5'], ['-3/5', '4/5']]
     """
     document = shapes_document(source)
-    kind = "bodies" if "bodies" in document else "body"
-    several = kind == "bodies"
-    check_keys(document, (kind,), (*_COMMON, *(["wrench"] if several else [])), "the document")
-    rows = check_list(document[kind], kind) if several else [document[kind]]
-    ground = check_list(document.get("ground", []), "ground")
-    ask_contacts(len(rows) + len(ground))
-    keys = _OF_BODIES if several else ("name",)
-    shapes = [
-        _shape(row, f"bodies[{i}]" if several else "body", keys) for i, row in enumerate(rows)
-    ]
-    names = {shape.name for shape in shapes}
-    for i, row in enumerate(ground):
-        shape = _shape(row, f"ground[{i}]", ("name",), False)
-        if shape.name in names:
-            raise GraspError(f"ground[{i}] has the name {shown(shape.name)} of a body; change one")
-        shapes.append(shape)
-    dimensions = {_dimension(shape.form) for shape in shapes}
-    if len(dimensions) > 1 or (several and 3 in dimensions):
-        raise GraspError(
-            "the shapes are in the plane and in space, or several bodies in space; expected all in "
-            'the plane, or one "body" and a ground in space'
-        )
+    shapes, rows, several = listed_shapes(document)
+    names = {shape.name for shape in shapes if shape.is_body}
     if friction is not None:
         document["friction"] = friction
     values = PairValues(document, {shape.name for shape in shapes})
@@ -155,6 +135,33 @@ def read_shapes(
     pulled = [BodyContact(*entry) for entry in threads]
     assembly = replace(made, contacts=(*made.contacts, *pulled), units=units)
     return ReadShapes(assembly, _wrenches(assembly, rows, document), found, remarks)
+
+
+def listed_shapes(document: Mapping[str, Any]) -> tuple[list[Shape], list[Any], bool]:
+    """Return the shapes of a document, the entries of its bodies, and whether there are several."""
+    kind = "bodies" if "bodies" in document else "body"
+    several = kind == "bodies"
+    check_keys(document, (kind,), (*_COMMON, *(["wrench"] if several else [])), "the document")
+    rows = check_list(document[kind], kind) if several else [document[kind]]
+    ground = check_list(document.get("ground", []), "ground")
+    ask_contacts(len(rows) + len(ground))
+    keys = _OF_BODIES if several else ("name",)
+    shapes = [
+        _shape(row, f"bodies[{i}]" if several else "body", keys) for i, row in enumerate(rows)
+    ]
+    names = {shape.name for shape in shapes}
+    for i, row in enumerate(ground):
+        shape = _shape(row, f"ground[{i}]", ("name",), False)
+        if shape.name in names:
+            raise GraspError(f"ground[{i}] has the name {shown(shape.name)} of a body; change one")
+        shapes.append(shape)
+    dimensions = {_dimension(shape.form) for shape in shapes}
+    if len(dimensions) > 1 or (several and 3 in dimensions):
+        raise GraspError(
+            "the shapes are in the plane and in space, or several bodies in space; expected all in "
+            'the plane, or one "body" and a ground in space'
+        )
+    return shapes, rows, several
 
 
 def shapes_document(source: Source) -> dict[str, Any]:
@@ -195,6 +202,12 @@ class PairValues:
 
 def _shape(entry: Any, where: str, keys: tuple[str, ...], is_body: bool = True) -> Shape:
     """Return a shape of its entry."""
+    own = [key for key in _OF_BODIES if isinstance(entry, Mapping) and key in entry]
+    if is_body and (more := [key for key in own if key not in keys]):
+        raise GraspError(
+            f"{where} has {more[0]}; one body has its load in the question. Leave it out, or give "
+            'several "bodies" in the plane'
+        )
     check_keys(entry, (), (*_FORMS, *keys), where)
     kinds = [key for key in _FORMS if key in entry]
     if len(kinds) != 1:
@@ -306,7 +319,10 @@ def _of_table(text: str) -> dict[str, Any]:
                     f"{', '.join(_COLUMNS)}"
                 )
         if missing := [name for name in (BODIES[0], "x", "y") if name not in header]:
-            raise GraspError(f"the first line has no column {missing[0]}; it is required")
+            raise GraspError(
+                f"the first line has no column {'body' if missing[0] in BODIES else missing[0]}; "
+                "expected body, x and y"
+            )
 
     ask_contacts(text.count("\n"))
     shapes, last = list[dict[str, Any]](), None

@@ -1,8 +1,9 @@
 """Shapes whose numbers have one letter: contacts as expressions in it.
 
-The contacts are found for one value of the letter. Each is written as a formula: between discs it
-divides the line of their centres in the ratio of the radii, on an edge it is the foot of the
-perpendicular, else a corner. The formulas are compared with the contacts of other values.
+`touches` runs with functions of the letter in place of numbers (`arrangement.numbers.functions`):
+so the contacts are found, as functions, for all values at which its comparisons have the same
+answers. What is left of the range is treated in the same way, until the whole range is covered; the
+contacts have to be the same functions everywhere.
 """
 
 from __future__ import annotations
@@ -11,39 +12,42 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from arrangement.errors import InputError
 from arrangement.library.files.json_files import Source
-from arrangement.numbers.exact import RationalVector, dot, rational, to_text
+from arrangement.numbers.exact import simplest_between, to_text
 from arrangement.numbers.expressions import read_expression
-from arrangement.numbers.linear.rank import cycle_edges, difference
-from equilibrium.model.assembly import Assembly
+from arrangement.numbers.functions import Domain, Function, Span
+from arrangement.numbers.linear.rank import difference
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Circle
-from equilibrium.model.parameter import ParametricQuestion
+from equilibrium.model.parameter import ParametricQuestion, interval
 
 from .parameter import read_range
-from .polygon import place_on_segment
-from .shapes import PairValues, read_shapes, shapes_document
-from .touching import Shape, Touch
+from .shapes import PairValues, listed_shapes, read_shapes, shapes_document
+from .touching import Touch, into_body, touches
 
 #: Keys whose values have no numbers.
 _WORDS = ("name", "shapes", "body_a", "body_b", "description", "units", "schema_version")
-#: Values of the letter, as shares of its range; the contacts are found at the first.
-_SHARES = tuple(Fraction(k, 7) for k in (3, 1, 2, 5, 6))
-#: Expressions for the coordinates of a point or vector.
-_Pair = list[str]
+#: How near to irrational values at which a comparison changes contacts are found (length 1).
+_WIDTH = Fraction(1, 10**12)
+#: Intervals and single values into which the range is cut at most.
+_MOST_CELLS = 200
+#: Contacts: bodies, point and normal in texts.
+_Contacts = list[dict[str, Any]]
 
 
 def shapes_with_letter(
     source: Source, parameter: str, friction: Any = None, gap: Any = None
-) -> dict[str, Any]:
-    """Return the document of an assembly whose numbers are expressions in one letter.
+) -> tuple[dict[str, Any], list[str]]:
+    """Return the document of an assembly whose numbers are expressions in one letter, and remarks.
 
-    `resisted --parameter` reads it.
+    `resisted --parameter` reads the document. The contacts are proved to be those of the shapes for
+    all values of the range; remarks name values of which this is not proved.
 
     Args:
         source: of ``bodies``, see `read_shapes`; all numbers may have the letter, not as an angle.
         parameter: the letter and its range, as ``t=6/5..2``. Shapes have to touch exactly for all
-            its values; what is compared is five of them.
+            its values.
         friction: in place of that of the document.
         gap: none.
 
@@ -51,72 +55,108 @@ def shapes_with_letter(
         InputError: for anything else, or where contacts are not those of the formulas.
     """
     letter, *ends = read_range(parameter)
-    low, high = (rational(end, "an end of the parameter") for end in ends)
+    span = interval(*ends)
     document = shapes_document(source) | ({} if friction is None else {"friction": friction})
     if "bodies" not in document or document.get("wrench") or gap or document.get("gap"):
         raise GraspError("shapes with a letter have bodies, and neither wrench nor gap")
-    made: dict[str, Any] = {}
-    for share in _SHARES:
-        value = low + share * (high - low)
-
-        def number(x: Any, value: Fraction = value) -> str:
-            expression = read_expression(x, letter)
-            if expression.has_turn:
-                raise GraspError(f"{x} has an angle; write (1-t^2)/(1+t^2) for cos and so on")
-            return to_text(Fraction(expression.value(value)))
-
-        read = read_shapes(_mapped(document, number))
-        assert isinstance(read.subject, Assembly)  # of bodies
-        made = made or _written(document, read.found.touches, number)
-        found, wrenches = ParametricQuestion(made, letter).at(value)
-        due = read.subject.weights if read.wrenches is None else read.wrenches
-        if read.remarks or found != read.subject or wrenches != due:
+    found: tuple[Fraction, _Contacts] | None = None
+    open_spans, remarks = [span], list[str]()
+    for _ in range(_MOST_CELLS):
+        if not open_spans:
+            break
+        rest = open_spans.pop()
+        third = (rest.high - rest.low) / 3
+        value = simplest_between(rest.low + third, rest.high - third)
+        domain = Domain(rest, value, _WIDTH, letter)
+        try:
+            if found is None:
+                read_shapes(_at(document, letter, value))  # all keys, and threads
+            numbers = _at(document, letter, Function.letter(domain))
+            contacts = list(map(_contact, touches(listed_shapes(numbers)[0], Fraction(0))))
+        except ZeroDivisionError:
+            raise GraspError(f"for {letter} = {to_text(value)} a number divides by 0") from None
+        except InputError as error:
+            raise GraspError(f"for {letter} = {to_text(value)}: {error}") from None
+        found = found or (value, contacts)
+        if contacts != found[1]:
             raise GraspError(
                 f"for {letter} = {to_text(value)} contacts are others than for "
-                f"{letter} = {to_text(low + _SHARES[0] * (high - low))}, or need rounding; "
-                "expected shapes that touch exactly for all values. Choose a shorter range"
+                f"{letter} = {to_text(found[0])}; expected shapes that touch in the same way for "
+                "all values. Choose a shorter range"
             )
+        done = domain.span
+        for part in (
+            Span(rest.low, done.low, rest.has_low, not done.has_low),
+            Span(done.high, rest.high, not done.has_high, rest.has_high),
+        ):
+            width = part.high - part.low
+            if width > 2 * _WIDTH or (not width and part.has_low and part.has_high):
+                open_spans.append(part)
+            elif width:
+                remarks.append(f"contacts are not proved for {letter} in {part}")
+    else:
+        raise GraspError(
+            f"the contacts have to be found in more than {_MOST_CELLS} parts of {span}; choose a "
+            "shorter range"
+        )
+    assert found  # for one value at least
+    made = _written(document, found[1])
+    ParametricQuestion(made, letter).check(span)
+    return made, remarks
+
+
+def _at(document: Mapping[str, Any], letter: str, value: Any) -> dict[str, Any]:
+    """Return a document with numbers, or functions, for its expressions in the letter."""
+
+    def number(x: Any) -> Any:
+        expression = read_expression(x, letter)
+        if expression.has_turn:
+            raise GraspError(f"{x} has an angle; write (1-t^2)/(1+t^2) for cos and so on")
+        return value * 0 + expression.value(value)
+
+    made: dict[str, Any] = mapped_numbers(document, number)
     return made
 
 
-def _mapped(value: Any, number: Callable[[Any], str]) -> Any:
+def _contact(touch: Touch) -> dict[str, Any]:
+    point, form = touch.point, touch.first.form
+    if point is None:
+        assert isinstance(form, Circle)  # else there is a point
+        other = touch.second.form
+        share = form.radius / (form.radius + (other.radius if isinstance(other, Circle) else 0))
+        point = difference(form.centre, tuple(share * x for x in touch.way))
+    first, second, normal = into_body(touch.first, touch.second, touch.way)
+    texts = {"point": [x.text() for x in point], "normal": [x.text() for x in normal]}  # type: ignore[attr-defined]
+    return {
+        "body_a": first,
+        "body_b": second,
+        **texts,
+        "shapes": (touch.first.name, touch.second.name),
+    }
+
+
+def mapped_numbers(value: Any, number: Callable[[Any], Any]) -> Any:
     """Return a document with something in place of each number."""
     if isinstance(value, Mapping):
-        return {k: x if k in _WORDS else _mapped(x, number) for k, x in value.items()}
-    return [_mapped(x, number) for x in value] if isinstance(value, list) else number(value)
+        pairs = value.items()
+        return {k: x if k in _WORDS else mapped_numbers(x, number) for k, x in pairs}
+    return [mapped_numbers(x, number) for x in value] if isinstance(value, list) else number(value)
 
 
-def _written(
-    document: Mapping[str, Any], touches: tuple[Touch, ...], number: Callable[[Any], str]
-) -> dict[str, Any]:
-    """Return the assembly with a formula for each contact.
-
-    Args:
-        number: the value of an expression where the contacts were found.
-    """
+def _written(document: Mapping[str, Any], found: _Contacts) -> dict[str, Any]:
+    """Return the assembly with these contacts, and with threads as contacts."""
     rows = [*document["bodies"], *document.get("ground", [])]
-    names = [row.get("name", "ground") for row in rows]
-    values = PairValues(document, set(names))
+    values = PairValues(document, {row.get("name", "ground") for row in rows})
     contacts = []
-    for touch in touches:
-        shapes = touch.first, touch.second
-        # Parts of the ground may share a name: their points together have those of the shape.
-        texts = [
-            [row for row, name in zip(rows, names, strict=True) if name == x.name] for x in shapes
-        ]
-        point, normal = _formula(touch, texts, number)
-        first, second = (shape.name if shape.is_body else None for shape in shapes)
-        if first is None:
-            first, second, normal = second, first, [f"-({x})" for x in normal]
-        law = values(*(shape.name for shape in shapes))
-        contacts.append(
-            {"body_a": first, "body_b": second, "point": point, "normal": normal, **law}
-        )
+    for entry in found:
+        shapes = entry["shapes"]
+        contacts.append({k: x for k, x in entry.items() if k != "shapes"} | values(*shapes))
     for thread in document.get("threads", []):
         law = {"friction": 0, "preload": thread.get("tension", 0)}
         law |= {"stiffness": thread["stiffness"]} if "stiffness" in thread else {}
-        ends = {"point": thread["point"], "normal": _minus(thread["to"], thread["point"])}
-        contacts.append({key: thread[key] for key in ("body_a", "body_b")} | ends | law)
+        ends = zip(thread["to"], thread["point"], strict=True)
+        place = {"point": thread["point"], "normal": [f"({x})-({y})" for x, y in ends]}
+        contacts.append({key: thread[key] for key in ("body_a", "body_b")} | place | law)
     units = {"units": document["units"]} if "units" in document else {}
     return {
         "schema_version": 1,
@@ -134,54 +174,3 @@ def _body(row: Mapping[str, Any]) -> dict[str, Any]:
         return {"centre": row["circle"]["centre"], **body, "outline": row["circle"]}
     walls = {"segments": row["segments"]} if "segments" in row else None
     return {**body, "outline": walls or row["polygon"]}
-
-
-def _formula(
-    touch: Touch, rows: list[list[Mapping[str, Any]]], number: Callable[[Any], str]
-) -> tuple[_Pair, _Pair]:
-    """Return point and normal of a contact."""
-
-    def at(pair: Any) -> RationalVector:
-        return tuple(Fraction(number(x)) for x in pair)
-
-    def disc_of(shape: Shape, listed: list[Mapping[str, Any]]) -> Any:
-        discs = [row["circle"] for row in listed if "circle" in row]
-        form = shape.form
-        return next(
-            (x for x in discs if isinstance(form, Circle) and at(x["centre"]) == form.centre), None
-        )
-
-    disc, other = (disc_of(*x) for x in zip((touch.first, touch.second), rows, strict=True))
-    if disc and other:
-        way = _minus(disc["centre"], other["centre"])
-        share = f"({other['radius']})/(({disc['radius']})+({other['radius']}))"
-        return [f"({x})+({y})*{share}" for x, y in zip(other["centre"], way, strict=True)], way
-    place = touch.point or difference(at(disc["centre"]), touch.way)
-    edges = [edge for row in (rows[1] if disc else rows[0] + rows[1]) for edge in _edges(row)]
-    corner = next((x for edge in edges for x in edge if at(x) == place), None)
-    if disc and corner:
-        return corner, _minus(disc["centre"], corner)
-    start, along = next(
-        (a, _minus(b, a))
-        for a, b in edges
-        if place_on_segment(at(a), at(b), place) is not None
-        and not dot(difference(at(b), at(a)), touch.way)
-    )
-    x, y = along
-    left = dot(at([f"-({y})", x]), touch.way) > 0
-    normal = [f"-({y})", x] if left else [y, f"-({x})"]
-    if corner:
-        return corner, normal
-    away = _minus(disc["centre"], start)
-    share = f"(({x})*({away[0]})+({y})*({away[1]}))/(({x})^2+({y})^2)"
-    return [f"({a})+({u})*{share}" for a, u in zip(start, along, strict=True)], normal
-
-
-def _edges(row: Mapping[str, Any]) -> list[tuple[_Pair, _Pair]]:
-    if "segments" in row:
-        return [(a, b) for a, b in row["segments"]]
-    return list(cycle_edges(row.get("polygon", [])))
-
-
-def _minus(one: Any, other: Any) -> _Pair:
-    return [f"({x})-({y})" for x, y in zip(one, other, strict=True)]

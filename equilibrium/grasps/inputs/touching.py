@@ -232,12 +232,7 @@ def touching(
     for name, times in Counter(shape.name for shape in listed if shape.is_body).items():
         if times > 1:
             raise GraspError(f"the body {name} is there twice; expected each name once")
-    found = [
-        touch
-        for one, other in combinations(listed, 2)
-        if (one.is_body or other.is_body) and not _are_apart(one, other, close)
-        for touch in _touches(one, other, close)
-    ]
+    found = list(touches(listed, close))
     units = [_unit(touch, angle_tolerance) for touch in found]
     discs = {x.name: x.form.centre for x in listed if x.is_body and isinstance(x.form, Circle)}
     lines = {
@@ -256,9 +251,7 @@ def touching(
                 miss = abs(turn(difference(centres[second.name], centre), normal))
         assert point is not None  # those of discs are set above
         misses.append(miss)
-        body, against = first.name, second.name if second.is_body else None
-        if not first.is_body:
-            body, against, normal = second.name, None, tuple(-x for x in normal)
+        body, against, normal = into_body(first, second, normal)
         law = values(first.name, second.name)
         contacts.append((body, against, Contact(point, normal, **law)))
     return TouchingShapes(
@@ -269,6 +262,25 @@ def touching(
         tuple(max(map(abs, difference(centres[name], place))) for name, place in discs.items()),
         tuple(misses),
     )
+
+
+def touches(shapes: Sequence[Shape], gap: Fraction) -> Iterator[Touch]:
+    """Yield where shapes touch, in the order of `touching`.
+
+    Their numbers may be functions of a letter, if the gap is 0.
+    """
+    for one, other in combinations(shapes, 2):
+        if (one.is_body or other.is_body) and not _are_apart(one, other, gap):
+            yield from _touches(one, other, gap)
+
+
+def into_body(
+    first: Shape, second: Shape, normal: RationalVector
+) -> tuple[str, str | None, RationalVector]:
+    """Return the body into which a normal points, the other one (None: the ground), and it."""
+    if not first.is_body:
+        return second.name, None, tuple(-x for x in normal)
+    return first.name, second.name if second.is_body else None, normal
 
 
 def _are_apart(one: Shape, other: Shape, gap: Fraction) -> bool:
@@ -298,15 +310,15 @@ def _round_touches(disc: Shape, other: Shape, form: Circle, gap: Fraction) -> It
     if isinstance(other.form, Polygon) and _contains(form.centre, other):
         ways = [form.centre[:0]]
     for way in ways:
-        square = Fraction(dot(way, way))
-        if square < (due - gap) ** 2:
+        square, least, most = dot(way, way), due - gap, due + gap
+        if square < least * least:
             raise GraspError(
                 f"{disc.name} and {other.name} overlap: the centre {vector_text(form.centre)} is "
                 f"nearer than {to_text(due)}, with a gap of {to_text(gap)}; expected shapes that "
                 "touch at most. Move one, or give a larger gap"
             )
-        if square <= (due + gap) ** 2:
-            yield Touch(disc, other, way, _root(square) - due)
+        if square <= most * most:
+            yield Touch(disc, other, way, _root(square) - due if gap else Fraction(0))
 
 
 def _ways(centre: RationalVector, shape: Shape) -> Iterator[RationalVector]:
@@ -316,7 +328,7 @@ def _ways(centre: RationalVector, shape: Shape) -> Iterator[RationalVector]:
         yield difference(centre, form.centre)
         return
     if isinstance(form, Plane):
-        height = Fraction(dot(form.normal, difference(centre, form.point)))
+        height = dot(form.normal, difference(centre, form.point))
         share = max(height, Fraction(0)) / dot(form.normal, form.normal)
         yield tuple(share * x for x in form.normal)
         return
@@ -324,7 +336,7 @@ def _ways(centre: RationalVector, shape: Shape) -> Iterator[RationalVector]:
     is_nearest: dict[RationalVector, bool] = {}
     for a, b in shape.edges:
         along, away = difference(b, a), difference(centre, a)
-        share = Fraction(dot(along, away)) / dot(along, along)
+        share = dot(along, away) / dot(along, along)
         is_nearest[a] = is_nearest.get(a, True) and share <= 0
         is_nearest[b] = is_nearest.get(b, True) and share >= 1
         if 0 < share < 1 and turn(along, away) <= 0:
@@ -463,15 +475,17 @@ def _pieces(edge: _Edge, shape: Shape) -> Iterator[_Edge]:
     """
     start, end = edge
     along = difference(end, start)
-    places = {Fraction(0), Fraction(1)}
+    places = [Fraction(0), Fraction(1)]
     for a, b in shape.edges:
         across = difference(b, a)
         if slope := turn(along, across):
             s = turn(difference(a, start), across) / slope
             t = turn(difference(a, start), along) / slope
-            places |= {s} if 0 <= s <= 1 and 0 <= t <= 1 else set()
-    ordered = [tuple(x + s * y for x, y in zip(start, along, strict=True)) for s in sorted(places)]
-    yield from pairwise(ordered)
+            places += [s] if 0 <= s <= 1 and 0 <= t <= 1 else []
+    for pair in pairwise(sorted(places)):
+        if pair[0] < pair[1]:
+            low, high = (tuple(x + s * y for x, y in zip(start, along, strict=True)) for s in pair)
+            yield low, high
 
 
 def _is_within(point: RationalVector, edge: _Edge, shape: Shape, is_thin: bool) -> bool:
