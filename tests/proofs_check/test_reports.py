@@ -230,6 +230,22 @@ def test_a_card_has_statement_formula_routes_picture_and_python(record, page):
         assert python_lines(result) in card
 
 
+@pytest.mark.parametrize(("seed", "call"), [(0, "]"), (3, "], 3"), (None, "]")])
+def test_page_has_the_seed_and_cards_pass_it_on(seed, call, record):
+    results = [{**result, "seed": seed} for result in record["results"]]
+    page = html_page({**record, "results": results, "seed": seed or 0})
+    assert f"<dt>seed</dt><dd>{seed or 0}</dd>" in page
+    assert html.unescape(page).count(f"{call})\nprint(") == len(results)
+
+
+@pytest.mark.parametrize("command", ["", "proofs-check report", None])
+def test_markdown_has_a_command_where_the_record_does(command, record):
+    kept = {key: value for key, value in record.items() if key != "command"}
+    text = pages.markdown(kept if command is None else {**kept, "command": command})
+    lines = [line for line in text.splitlines() if line.startswith("- command")]
+    assert lines == ([f"- command: {command}"] if command else [])
+
+
 @pytest.mark.slow
 def test_the_python_of_a_card_gives_its_verdict(record, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
