@@ -63,7 +63,7 @@ def add_options(
         "--output",
         required=True,
         metavar="PATH",
-        help=".svg, .pdf, .png, .tex (TikZ): a picture; .gif, .mp4: one that turns; .html: a page"
+        help=".svg, .pdf, .png, .tex (TikZ): a picture; .gif, .mp4: one that moves; .html: a page"
         + "; .stl, .glb, .obj: a model" * bool(drawings.models)
         + more.get("output", ""),
     )

@@ -189,8 +189,8 @@ class Printing:
         transparent: of .svg, .pdf, .png: no background.
         fragment: in .tex: no document, for ``\\input``.
         columns: of panels (default: 2).
-        frames: of a full turn in .gif, .mp4 (default: 36); without labels of regions, unless
-            these are asked for.
+        frames: of a full turn, or of a letter in its range, in .gif, .mp4 (default: 36); without
+            labels of regions, unless these are asked for.
     """
 
     font: str | None = None
@@ -268,8 +268,16 @@ class Printing:
             made.items = [item for item in made.items if item.name != SHEET]
         return made
 
-    def write_movie(self, path: str | os.PathLike[str], make: Callable[..., Scene]) -> None:
-        """Write the pictures that `make` returns for angles ``azimuth`` all around.
+    def write_movie(
+        self,
+        path: str | os.PathLike[str],
+        make: Callable[..., Scene],
+        changes: Callable[[int], Iterable[Mapping[str, Any]]],
+    ) -> None:
+        """Write the pictures that `make` returns with options that change.
+
+        Args:
+            changes: the options of each picture, from the number of pictures.
 
         Raises:
             InputError: no such number of pictures, or no ffmpeg for ``.mp4``.
@@ -279,11 +287,11 @@ class Printing:
 
         count = 36 if self.frames is None else self.frames
         if not isinstance(count, int) or not 2 <= count <= 720:
-            raise InputError(f"a turn has {shown(count)} frames; give 2 to 720")
+            raise InputError(f"frames is {shown(count)}; give 2 to 720")
         frames = []
-        for k in watched(range(count), "pictures"):
+        for options in watched(list(changes(count)), "pictures"):
             with own_settings(font_settings(self.font)):
-                drawn = functools.partial(figure, make(azimuth=360 * k / count))
+                drawn = functools.partial(figure, make(**options))
                 frames.append(picture_bytes(".png", drawn, dpi=150, font=self.font))
         write_bytes_atomically(path, movie_bytes(ending(path, MOVIES), frames))
 
@@ -299,11 +307,18 @@ class ViewEntry:
         place: of the function, ``module:function`` below the package.
         shows: whether it can show a subject.
         in_panels: options that it has by default as one of several panels.
+        changes: the options of each picture of a movie, from the subject and the number of
+            pictures; None: it turns, if it has an azimuth.
     """
 
     place: str
     shows: Callable[[Any], bool] = lambda _: True
     in_panels: Mapping[str, Any] = field(default_factory=dict)
+    changes: Callable[[Any, int], Iterable[Mapping[str, Any]]] | None = None
+
+
+def _turn(count: int) -> Iterator[dict[str, float]]:
+    return ({"azimuth": 360 * k / count} for k in range(count))
 
 
 def able_to_show(views: Mapping[str, ViewEntry], subject: Any) -> dict[str, ViewEntry]:
@@ -439,9 +454,9 @@ class Drawings:
 
         notes: dict[str, None] = {}
 
-        def scene(**azimuth: float) -> Scene:
+        def scene(**changed: Any) -> Scene:
             with printing.explained(width):
-                made = self._scene(subject, name, printing.columns, {**options, **azimuth})
+                made = self._scene(subject, name, printing.columns, {**options, **changed})
             notes.update(dict.fromkeys(made.legend.notes))
             return printing.finished(made)
 
@@ -456,10 +471,12 @@ class Drawings:
                 dpi=printing.dpi,
                 transparent=printing.transparent,
             )
+        elif name in self.views and (changes := self.views[name].changes):
+            printing.write_movie(path, scene, functools.partial(changes, subject))
         elif "azimuth" in known:
             if "labels" in known:
                 options.setdefault("labels", "none")
-            printing.write_movie(path, scene)
+            printing.write_movie(path, scene, _turn)
         else:
             able = [view for view in self.views if "azimuth" in self.options("view", view)]
             raise InputError(f"the view {name} does not turn; there are {', '.join(able)}")

@@ -6,9 +6,11 @@ from fractions import Fraction
 
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.scene import FONT, POINTS, Scene
-from arrangement.drawing.views import picture
+from arrangement.drawing.views import Exact, picture
+from arrangement.numbers.exact import rational, shown
 from equilibrium.decide.solver import solve
 from equilibrium.model.assembly import Assembly
+from equilibrium.model.errors import GraspError
 from equilibrium.wrench_sets.parameter import ResistedValues
 
 from .assemblies import draw_assembly
@@ -27,39 +29,45 @@ _UNDECIDED = "#ffffff"
 
 
 @picture(60.0)
-def draw_values(answer: ResistedValues, *, width: float = 120.0) -> Scene:
+def draw_values(
+    answer: ResistedValues, *, value: Exact | None = None, width: float = 120.0
+) -> Scene:
     """Draw for which values of a letter a load is resisted, and the object where that ends.
 
     The bar shows what is proved along the letter, of an angle in degrees. Above it are the object
     and an equilibrium at the first and the last end of the resisted values, or at the ends of the
-    values asked about.
+    values asked about. A movie (.gif, .mp4) shows the object for one value after the other.
 
     Args:
         answer: of `resisted_values`.
+        value: the one at which the object is shown; of an angle, of the tangent of its half.
     """
     ends = [end.value for end in answer.ends] or [answer.between.low, answer.between.high]
     values = [x for x in sorted({ends[0], ends[-1]}) if answer.verdict_at(x) != "undecided"]
+    if value is not None:
+        values = [rational(value, "value")]
+        if values[0] not in answer.between:
+            raise GraspError(f"value is {shown(value)}; expected one in {answer.between}")
     scenes = [_object(answer, value, (width - _GAP / POINTS) / 2) for value in values]
     tall = max((scene.height for scene in scenes), default=0.0)
     whole = Scene(width, (_BELOW + _THICK + _ABOVE + tall) / POINTS)
     bar = _Bar(whole, answer)
-    for value in dict.fromkeys([answer.between.low, *values, answer.between.high]):
-        at = (bar.place(value), _BELOW - 1.6 * POINTS)
-        whole.write(at, _value_text(answer, value), va="top")
-    for i, (value, scene) in enumerate(zip(values, scenes, strict=True)):
+    for mark in dict.fromkeys([answer.between.low, *values, answer.between.high]):
+        whole.write((bar.place(mark), _BELOW - 1.6 * POINTS), _value_text(answer, mark), va="top")
+    for i, (shown_at, scene) in enumerate(zip(values, scenes, strict=True)):
         middle = (whole.width - scene.width) / 2
         x = middle if len(scenes) == 1 else i * (scene.width + _GAP)
-        head = f"{answer.family.letter} = {_value_text(answer, value)}"
+        head = f"{answer.family.letter} = {_value_text(answer, shown_at)}"
         _explain_once(whole, scene, head)
         whole.place(scene, x, _BELOW + _THICK + _ABOVE)
         x += scene.width / 2
         whole.text((x, _BELOW + _THICK + 4.0 * POINTS), head, FONT)
-        leader = [(x, _BELOW + _THICK + 2.2 * POINTS), (bar.place(value), _BELOW + _THICK)]
+        leader = [(x, _BELOW + _THICK + 2.2 * POINTS), (bar.place(shown_at), _BELOW + _THICK)]
         whole.line(leader, ec="#888888", lw=0.5)
     for end in answer.ends:
         if end.gives:
-            place = _value_text(answer, end.value)
-            whole.legend.line(f"in all equilibria at {place}: {end.gives.words}")
+            at = _value_text(answer, end.value)
+            whole.legend.line(f"in all equilibria at {at}: {end.gives.words}")
     return whole
 
 

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
 from arrangement.drawing.views import Drawings, ViewEntry, able_to_show
 from arrangement.numbers import budget
 from equilibrium.model.grasp import Grasp
+
+if TYPE_CHECKING:
+    from equilibrium.wrench_sets.parameter import ResistedValues
 
 
 def _in_plane(grasp: Grasp) -> bool:
@@ -57,10 +61,17 @@ OF_ASSEMBLIES = Drawings(
     pages={},
 )
 
+
+def _along(answer: ResistedValues, count: int) -> Iterator[dict[str, Fraction]]:
+    """Yield the values of a letter at which a movie shows the object."""
+    low, high = answer.between.low, answer.between.high
+    return ({"value": low + (high - low) * Fraction(k, count - 1)} for k in range(count))
+
+
 #: What can be drawn of the values of a parameter.
 OF_VALUES = Drawings(
     "equilibrium.pictures",
-    views={"values": ViewEntry("parameter:draw_values")},
+    views={"values": ViewEntry("parameter:draw_values", changes=_along)},
     models={},
     pages={},
 )

@@ -10,6 +10,7 @@ from random import Random
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from arrangement import InputError
 from arrangement.numbers.expressions import read_expression
@@ -419,6 +420,23 @@ def test_picture_of_values_by_the_command(tmp_path, capsys):
     assert main([*line, *load, "--origin", "0", "0", "0"]) == 2
     assert main(line) == 2
     assert "there is no wrench" in capsys.readouterr().err
+
+
+def test_movie_shows_the_object_at_each_value(tmp_path, capsys):
+    table, movie = tmp_path / "ladder.csv", tmp_path / "ladder.gif"
+    table.write_text("x,y,nx,ny,mu\n0,0,0,1,t\n4,3,-1,0,0\n")
+    line = ["draw", str(table), "--wrench", "0", "-1", "-2", "--parameter", "t=0..1"]
+    assert main([*line, "-o", str(movie), "--frames", "4"]) == 0
+    with Image.open(movie) as pictures:
+        assert pictures.n_frames == 4
+    answer = resisted_values(LADDER, 0, 1)
+    for value, words in ((F(1, 3), "no equilibrium"), (F(1), "")):
+        scene = draw_values.scene(answer, value=value)
+        assert f"t = {value}" in {item.text for item in scene.items if hasattr(item, "text")}
+        lines = [text for text, _ in scene.legend.lines]
+        assert (f"t = {value}: no equilibrium" in lines) == bool(words)
+    with pytest.raises(GraspError, match="value is 2; expected one in"):
+        draw_values.scene(answer, value=2)
 
 
 def test_comparisons_have_one_answer_or_none():
