@@ -35,6 +35,7 @@ Limits and errors
 """
 
 from .console.plugins import attach, lazy_names
+from .synonyms import PACKAGE
 
 __version__ = "0.1.0"
 
@@ -52,4 +53,4 @@ attach(
     }
 )
 
-__getattr__, __dir__ = lazy_names(__name__, __file__)
+__getattr__, __dir__ = lazy_names(__name__, __file__, PACKAGE)

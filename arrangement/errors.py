@@ -108,8 +108,9 @@ def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> 
     from types import ModuleType
 
     what = f"{type(owner).__name__!r} object"
-    if isinstance(owner, ModuleType):
-        what = f"module {owner.__name__!r}"
+    if isinstance(owner, (ModuleType, type)):
+        kind = "module" if isinstance(owner, ModuleType) else "class"
+        what = f"{kind} {owner.__name__!r}"
     hint = ""
     if not name.startswith("_"):  # `copy` and `pickle` look for many of these
         use = {word.lower(): use for word, use in synonyms.items()}.get(name.lower())
@@ -119,7 +120,31 @@ def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> 
     return AttributeError(f"{what} has no attribute {name!r}{hint}", name=name)
 
 
-class HintsMixin:
+class _Hints(type):
+    """A class that answers an attribute or an argument which it does not have as its values do."""
+
+    _synonyms: ClassVar[Mapping[str, str]]
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(cls, name: str) -> Any:
+            raise missing_attribute(cls, name, cls._synonyms)
+
+        def __call__(cls, *values: Any, **options: Any) -> Any:
+            try:
+                return super().__call__(*values, **options)
+            except TypeError as error:
+                use = [
+                    f"{name}; use {cls._synonyms[name]}"
+                    for name in options
+                    if name in cls._synonyms
+                ]
+                if use and "unexpected keyword" in str(error):
+                    raise TypeError(f"{cls.__name__} has no argument {use[0]}") from None
+                raise
+
+
+class HintsMixin(metaclass=_Hints):
     """A value that answers an attribute which it does not have with the name to use.
 
     Attributes:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, TypeAlias
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
+from arrangement import synonyms
 from arrangement.arrangement import Arrangement
 from arrangement.console.plugins import attached
 from arrangement.enumeration.subdivision import Pieces, segment_sheet
-from arrangement.errors import InputError
+from arrangement.errors import HintsMixin, InputError
 from arrangement.numbers.exact import RationalVector, rational_vector, shown
 from arrangement.numbers.real import field_of, written
 from arrangement.numbers.symbolic import entry, in_one_field, listed
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 _Points: TypeAlias = Iterable[Any]
 
 
-class Segments:
+class Segments(HintsMixin):
     """Finitely many segments in R^2 with exact ends, which may cross, overlap and touch.
 
     Args:
@@ -36,6 +37,7 @@ class Segments:
     """
 
     ends: tuple[tuple[RationalVector, RationalVector], ...]
+    _synonyms: ClassVar[Mapping[str, str]] = synonyms.SEGMENTS
 
     def __init__(self, ends: Iterable[_Points]) -> None:
         given = [listed(pair, "ends") for pair in listed(ends, "segments")]

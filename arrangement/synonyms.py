@@ -2,7 +2,7 @@
 
 `Arrangement` answers an unknown attribute with them; a page of the documentation shows them; a test
 runs each. On the right are also the hyperplane number i (from 0), a point, a normal and its offset,
-regions r and s, and another arrangement B.
+regions r and s, another arrangement B, and the path of a file.
 """
 
 from __future__ import annotations
@@ -96,23 +96,88 @@ ARRANGEMENT: Mapping[str, Mapping[str, str]] = {
     "elsewhere": {
         "add": "A.addition(normal, offset)",
         "adjacency_graph": "A.region_graph()",
+        "bounded": "A.bounded_regions()",
         "bounded_faces": "A.bounded_regions()",
+        "braid": "families.braid(4)",
         "cells": "A.faces()",
         "chi": "A.characteristic_polynomial()",
+        "count": "A.region_count()",
+        "count_regions": "A.region_count()",
+        "crossings": "A.vertices()",
+        "dim": "A.dimension",
         "dual_graph": "A.region_graph()",
+        "export": "A.save(path)",
         "face_lattice": "A.faces()",
+        "from_file": "read_arrangement(path)",
+        "from_polymake": "read_arrangement(path)",
+        "from_sage": "read_arrangement(path)",
+        "inside": "A.regions(inside=r)",
+        "intersection_points": "A.vertices()",
+        "intersections": "A.intersection_lattice()",
+        "is_generic": "A.is_simple",
+        "is_in_general_position": "A.is_simple",
         "isomorphism_class": "A.identify()",
         "lattice": "A.intersection_lattice()",
         "lines": "list(A)",
+        "load": "read_arrangement(path)",
         "moebius": "counts.moebius(A)",
+        "n_edges": "A.f_vector[1]",
         "n_faces": "sum(A.f_vector)",
+        "n_planes": "len(A)",
+        "n_vertices": "A.f_vector[0]",
         "number_of_regions": "A.region_count()",
         "planes": "list(A)",
+        "plot3d": "A.draw()",
         "points": "A.vertices()",
         "poset": "A.poset_of_regions(r)",
+        "read": "read_arrangement(path)",
         "remove": "A.deletion(i)",
+        "savefig": "A.draw().write(path)",
         "show": "A.draw()",
         "symmetries": "A.identify().automorphisms",
+        "to_json": "A.to_dict()",
         "triangles": "A.bounded_p_vector",
+        "zaslavsky": "A.region_count()",
     },
+}
+
+_FAMILIES = """bigraphical bisectors braid catalan complete_bipartite coordinate coxeter diagonals
+discriminantal generic graphical h3 h4 ish ish_b lines_through linial near_pencil pencil perles
+polygon random_degenerate random_integer random_sphere regular resonance semiorder separations shi
+signed_graphical simplicial threshold threshold_functions type_b type_d"""
+
+#: Of the package: the families, and other names for what it has.
+PACKAGE: Mapping[str, str] = {
+    **{name: f"families.{name}" for name in _FAMILIES.split()},
+    "Hyperplane": "Arrangement([normal], [offset])",
+    "HyperplaneArrangement": "Arrangement",
+    "HyperplaneArrangements": "Arrangement",
+    "Line": "Arrangement([normal], [offset])",
+    "Lines": "Arrangement",
+    "Polygon": "families.polygon",
+    "boolean": "families.coordinate",
+    "draw": "A.draw()",
+    "load": "read_arrangement(path)",
+    "open": "read_arrangement(path)",
+    "plot": "A.draw()",
+    "read": "read_arrangement(path)",
+    "read_csv": "read_arrangement(path)",
+    "region_count": "A.region_count()",
+    "save": "A.save(path)",
+}
+
+#: Of segments S.
+SEGMENTS: Mapping[str, str] = {
+    "arrangement": "S.lines",
+    "bounded_regions": "S.pieces().bounded_cells",
+    "cells": "S.pieces().cells",
+    "count": "S.pieces()",
+    "edges": "S.pieces().edges",
+    "f_vector": "S.pieces()",
+    "faces": "S.pieces().cells",
+    "plot": "S.draw()",
+    "region_count": "S.pieces().cells",
+    "regions": "S.pieces().cells",
+    "show": "S.draw()",
+    "vertices": "S.pieces().vertices",
 }

@@ -52,10 +52,11 @@ from arrangement.console.plugins import attach, lazy_names
 
 #: Other words for the names, each with what to write here.
 _SYNONYMS = {
+    **dict.fromkeys(("from_csv", "load", "load_grasp", "read", "read_csv"), "read_grasp(path)"),
     "AssemblyVerdict": "Verdict",
     "LiteralVerdict": "solve(grasp, wrench, as_printed=[...])",
     "Mode": "ContactModes",
-    "Solver": "ResistedSet(grasp), with solve and solve_many",
+    "Solver": "ResistedSet(grasp)",
     "WrenchSet": "ResistedSet",
     "check": "verify(source)",
     "check_loads": "ResistedSet(grasp).check(wrenches)",
@@ -71,7 +72,9 @@ _SYNONYMS = {
     "least_friction": "ResistedSet(grasp).margin(wrench).friction()",
     "margin": "ResistedSet(grasp).margin(wrench)",
     "plot": "Grasp.draw",
+    "load_assembly": "read_assembly(path)",
     "random_grasp": "equilibrium.inputs.random_grasp",
+    "resisted": "ResistedSet(grasp).along(wrench)",
     "resisted_magnitudes": "ResistedSet(grasp).along(direction)",
     "resisted_region": "ResistedSet(grasp).slice(u, v)",
     "resisted_set": "ResistedSet(grasp)",
@@ -82,7 +85,7 @@ _SYNONYMS = {
     "spatial_magnitudes": "ResistedSet(grasp).along(direction)",
     "sufficient_preloads": "ResistedSet(grasp).margin(wrench).preloads",
     "wrench_space": "GraspWrenchSpace(grasp)",
-    "write_certificate": "Certificate.save(path)",
+    "write_certificate": "solve(grasp, wrench).certificate.save(path)",
 }
 
 attach(

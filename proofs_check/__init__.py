@@ -29,4 +29,18 @@ What checking it returns
 from arrangement import __version__ as __version__
 from arrangement.console.plugins import lazy_names
 
-__getattr__, __dir__ = lazy_names(__name__, __file__)
+#: Other words for the names, each with what to write here.
+_SYNONYMS = {
+    "Exercise": "exercise",
+    "check": "evaluate(claim)",
+    "extreme": "own_claims.extreme.extremes(quantity, of, low, high)",
+    "list_claims": "list(registry())",
+    "load_claims": "load(path)",
+    "read": "load(path)",
+    "run": "evaluate(claim)",
+    "try_": "evaluate(own_claims.one_line.one_line_claim(statement, of=of))",
+    "try_claim": "evaluate(own_claims.one_line.one_line_claim(statement, of=of))",
+    "verify": "evaluate(claim)",
+}
+
+__getattr__, __dir__ = lazy_names(__name__, __file__, _SYNONYMS)

@@ -1,13 +1,21 @@
 """Names of other programs: each target runs, and unknown attributes are answered with it."""
 
 import doctest
+import json
 import math
+import re
+from importlib import import_module
+from importlib.resources import files
+from pathlib import Path
 
 import pytest
 
+import arrangement
 import equilibrium
-from arrangement import Arrangement, counts, families, synonyms
-from equilibrium import ResistedSet, read_grasp, solve
+import proofs_check
+from arrangement import Arrangement, Segments, counts, families, read_arrangement, synonyms
+from arrangement.library.families import FAMILIES
+from equilibrium import Contact, Grasp, ResistedSet, read_grasp, solve
 from equilibrium.model.synonyms import NAMES, STATICS
 
 LINES = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
@@ -24,25 +32,104 @@ def run(expression: str, **names: object) -> None:
 
 @pytest.mark.parametrize("planes", [LINES, families.braid(3)], ids=["affine", "central"])
 @pytest.mark.parametrize("program", synonyms.ARRANGEMENT)
-def test_names_for_arrangements_run(program, planes):
+def test_names_for_arrangements_run(program, planes, tmp_path):
+    pytest.importorskip("matplotlib")
     regions = planes.regions()
+    planes.save(tmp_path / "a.json")
     names = {
         "A": planes,
         "B": planes[:1],
         "counts": counts,
+        "families": families,
         "i": 1,
         "normal": [1] * planes.dimension,
         "offset": 0,
         "point": regions[0].witness,
         "r": regions[0],
+        "read_arrangement": read_arrangement,
         "s": regions[1],
     }
     for word, name in synonyms.ARRANGEMENT[program].items():
         assert word not in dir(planes), f"{word} is there"
+        names["path"] = str(tmp_path / ("a.svg" if "write" in name else "a.json"))
         run(name.replace("A.dual", "A.dual" if planes.is_central else "A.cone().dual"), **names)
         with pytest.raises(AttributeError) as error:
             getattr(planes, word)
         assert str(error.value).endswith(f"; use {name}")
+
+
+def test_families_are_named_by_the_package():
+    named = {name for name, use in synonyms.PACKAGE.items() if use == f"families.{name}"}
+    assert named == {name.replace("-", "_") for name in FAMILIES}
+
+
+EXAMPLE = files("proofs_check.examples") / "triangles.py"
+#: Values for the letters of what the packages answer.
+VALUES = {
+    "A": LINES,
+    "S": Segments([((0, 0), (4, 4)), ((0, 4), (4, 0))]),
+    "normal": [1, 0],
+    "offset": 1,
+    "contact": Contact([0, 1], [0, -1], 1),
+    "grasp": read_grasp("paper-four-contacts-preload-1"),
+    "claim": proofs_check.registry()["fukuda-bound-attained"],
+    "wrench": [0, "1/2", 0],
+    "direction": [0, 1, 0],
+    "wrenches": [[0, 0.5, 0]],
+    "u": [1, 0, 0],
+    "v": [0, 1, 0],
+    "statement": "regions <= 7",
+    "of": "lines",
+    "quantity": "regions",
+    "low": 3,
+    "high": 3,
+}
+
+
+@pytest.mark.parametrize(
+    ("owner", "table"),
+    [
+        (VALUES["S"], synonyms.SEGMENTS),
+        (arrangement, synonyms.PACKAGE),
+        (equilibrium, equilibrium._SYNONYMS),
+        (proofs_check, proofs_check._SYNONYMS),
+    ],
+    ids=["segments", "arrangement", "equilibrium", "proofs_check"],
+)
+def test_names_of_segments_and_packages_run(owner, table, tmp_path, monkeypatch):
+    pytest.importorskip("matplotlib")
+    for module in ("equilibrium.methods", "equilibrium.plane.states.contact_states"):
+        import_module(module)
+    import_module("proofs_check.own_claims.extreme")
+    import_module("proofs_check.own_claims.one_line")
+    monkeypatch.chdir(tmp_path)
+    names = {name: getattr(owner, name) for name in dir(owner)} | vars(owner) | VALUES
+    GRASP.save("grasp.json")
+    LINES.save("lines.json")
+    Path("arch.json").write_text(json.dumps(equilibrium.Assembly(["block"]).to_dict()))
+    path = {arrangement: "lines.json", proofs_check: str(EXAMPLE)}.get(owner, "grasp.json")
+    sources = {"source": solve(GRASP, LOAD).certificate}
+    for word, use in table.items():
+        with pytest.raises(AttributeError) as error:
+            getattr(owner, word)
+        assert str(error.value).endswith(f"; use {use}")
+        path = "arch.json" if "assembly(path" in use else path
+        run(use.replace("[...]", "None"), **names, path=path, **sources, equilibrium=equilibrium)
+
+
+@pytest.mark.parametrize("kind", [Arrangement, Grasp, Contact])
+def test_classes_answer_as_their_values_do(kind):
+    for word, name in kind._synonyms.items():
+        if word not in dir(kind):
+            with pytest.raises(AttributeError, match=re.escape(f"'{word}'; use {name}") + "$"):
+                getattr(kind, word)
+
+
+def test_another_word_for_an_argument_is_answered():
+    with pytest.raises(TypeError, match="Contact has no argument mu; use friction"):
+        Contact([0, 0], [0, 1], mu="1/2")
+    with pytest.raises(TypeError, match="missing 1 required"):
+        Contact([0, 0], [0, 1])
 
 
 def test_one_name_means_one_thing():

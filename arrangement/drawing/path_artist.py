@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import operator
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fnmatch import fnmatchcase
 from itertools import groupby
-from typing import Any, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 
@@ -44,7 +44,7 @@ from arrangement.drawing.scene import (
     require_matplotlib,
 )
 from arrangement.drawing.themes import themed
-from arrangement.errors import InputError, refusal
+from arrangement.errors import HintsMixin, InputError, refusal
 from arrangement.numbers.exact import shown, sign_text
 
 try:
@@ -350,12 +350,14 @@ class Elements:
         figure(laid_out(self._drawing.scene), self._drawing)
 
 
-class Drawing(Figure):
+class Drawing(HintsMixin, Figure):
     """A picture with its legend: a figure of matplotlib that is written in every format.
 
     Attributes:
         scene: what is drawn, and the legend as data.
     """
+
+    _synonyms: ClassVar[Mapping[str, str]] = dict.fromkeys(("save", "to_file"), "write(path)")
 
     def __init__(self, scene: Scene) -> None:
         super().__init__()

@@ -15,13 +15,14 @@ with one preload, of which each point has a share. The law knows points alone.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cache, cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 from arrangement.console.number_form import ReprMixin
+from arrangement.errors import HintsMixin
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers import budget
 from arrangement.numbers.exact import (
@@ -53,7 +54,7 @@ IN_SPACE = (
 
 
 @dataclass(frozen=True)
-class Contact(ReprMixin):
+class Contact(HintsMixin, ReprMixin):
     """One frictional contact with a unilateral normal spring.
 
     Args:
@@ -97,6 +98,19 @@ class Contact(ReprMixin):
     share: Fraction = field(default=Fraction(1), compare=False)
     adhesion: Fraction = Fraction(0)
     thread: RationalVector = field(default=(), compare=False)
+
+    _synonyms: ClassVar[Mapping[str, str]] = {
+        "angle": "normal",
+        "cof": "friction",
+        "force": "preload",
+        "friction_coefficient": "friction",
+        "k": "stiffness",
+        "location": "point",
+        "mu": "friction",
+        "n": "normal",
+        "normal_force": "preload",
+        "position": "point",
+    }
 
     def __init__(
         self,

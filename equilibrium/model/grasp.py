@@ -76,6 +76,10 @@ class Grasp(HintsMixin, DrawableGrasp):
 
     _synonyms: ClassVar[Mapping[str, str]] = {
         **NAMES,
+        **dict.fromkeys(("from_csv", "from_file", "from_json", "load"), "read_grasp(path)"),
+        "add_contact": "Grasp([*grasp.contacts, contact])",
+        "along": "ResistedSet(grasp).along(wrench)",
+        "compare": "compare(grasp, wrench)",
         "epsilon": "GraspWrenchSpace(grasp).epsilon",
         "force_closure": "methods.force_closure(grasp)",
         "is_force_closure": "methods.force_closure(grasp)",
@@ -85,8 +89,11 @@ class Grasp(HintsMixin, DrawableGrasp):
         "n_contacts": "len(grasp)",
         "planes": "tangential_arrangement() or motion_arrangement()",
         "plot": "draw()",
+        "resisted": "ResistedSet(grasp).along(wrench)",
+        "resisted_set": "ResistedSet(grasp)",
         "resists": "solve(grasp, wrench).stable",
         "show": "draw()",
+        "slice": "ResistedSet(grasp).slice(u, v)",
         "solve": "solve(grasp, wrench)",
         "wrench_space": "GraspWrenchSpace(grasp)",
     }
