@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from arrangement.console import terminal
-from arrangement.console.writing import document_text, write_text_atomically
+from arrangement.console.writing import document_text, make_folder, write_text_atomically
 from proofs_check.instances.domains import domain
 from proofs_check.own_claims.extreme import Extreme, extremes
 from proofs_check.reports.report import plain
@@ -26,14 +26,14 @@ def run_extreme(arguments: argparse.Namespace) -> int:
     records: list[dict[str, object]] = []
     condition = f", {arguments.when}" if arguments.when else ""
     for extreme in found:
+        if arguments.save is not None:
+            make_folder(arguments.save)
+            path = Path(arguments.save, f"{what}-{extreme.elements}.json")
+            write_text_atomically(path, document_text(dict(extreme.example.document or {})))
         if not records and not arguments.json:
             print(f"{what} {arguments.quantity} of {arguments.of}{condition}: all classes")
             print(f"{unit:>6}  value  reached by           example")
         records.append(_record(extreme))
-        if arguments.save is not None:
-            path = Path(arguments.save, f"{what}-{extreme.elements}.json")
-            path.parent.mkdir(parents=True, exist_ok=True)
-            write_text_atomically(path, document_text(dict(extreme.example.document or {})))
         if not arguments.json:
             share = f"{extreme.reached:,} of {extreme.classes:,}"
             value = value_text(plain(extreme.value))

@@ -23,6 +23,7 @@ _SYNONYMS = {
     "--census": "--classes",
     "--types": "--classes",
     "--planes": "--elements",
+    "--lines": "--classes",
     "--proved": "--verified",
 }
 

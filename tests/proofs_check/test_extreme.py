@@ -86,3 +86,12 @@ def test_command_reports_that_no_class_is_left(capsys):
     assert main(words) == 1
     assert main(["extreme", "regions", "--of", "lines", "--classes", "3..10"]) == 2
     assert capsys.readouterr().out == ""
+
+
+def test_folder_that_cannot_be_written_is_refused_before_results(tmp_path, capsys):
+    (tmp_path / "file").write_text("")
+    words = ["extreme", "regions", "--of", "lines", "--classes", "3..4"]
+    assert main([*words, "--save", str(tmp_path / "file" / "folder")]) == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+    assert "cannot write" in err
