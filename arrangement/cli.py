@@ -28,9 +28,11 @@ if TYPE_CHECKING:
 _Command = Callable[[argparse.Namespace], int]
 _FILE = (
     "an arrangement or a grasp: a path, - for standard input, or a built-in name; in any format of "
-    "`arrangement convert`"
+    "`arrangement convert`; or equations such as 'x = 0; x + y = 1'"
 )
-_POLYGON = "a polygon, or of planes that have it on their positive sides: a file, as FILE"
+_POLYGON = (
+    "a polygon: corners such as '0,0; 4,0; 0,4', or a file with it on the planes' positive sides"
+)
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -75,6 +77,7 @@ def _parser() -> Parser:
         if file is not None:
             added.add_argument("file", metavar="FILE", nargs=file or None, help=_FILE)
             added.names["file"] = json_files.instances
+            added.strays[r"[^-].*=.*"] = "all equations as one argument: 'x = 0; y = 0'"
         terminal.add_common_options(added)
         added.set_defaults(command=function)
         return added
@@ -214,6 +217,8 @@ def _count_pieces(lines: Arrangement, arguments: argparse.Namespace) -> int:
         terminal.print_json({"lines": len(lines), **places})
         return terminal.YES
     rows: dict[str, object] = {"lines": len(lines)}
+    if cut.inside.bounded_cells < cut.inside.cells:
+        rows["inside"] = "unbounded: no polygon"
     for place, pieces in cut._asdict().items():
         rows |= {f"{place}: {name}": n for name, n in _piece_rows(pieces, place != "boundary")}
     return _print_rows(rows)

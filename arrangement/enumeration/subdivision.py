@@ -91,7 +91,10 @@ def cut(lines: Planes, sides: Planes) -> Cut:
 
     of_vertices, of_arcs, of_regions = map(places, sheet.signs)
     if not (of_regions[sheet.front_regions] == _INSIDE).any():
-        raise InputError("nothing is on the positive side of all sides; give those of a polygon")
+        raise InputError(
+            "nothing is on the positive side of all sides; give lines with a polygon there, or the "
+            "corners of one, as in 0,0; 4,0; 0,4"
+        )
     covered = np.zeros(sheet.circles, bool)
     covered[list(sheet.sphere.plane_circle[len(sides) : -1])] = True
     drawn = covered[sheet.circle] | (of_arcs[sheet.front] == _BOUNDARY)

@@ -1,8 +1,8 @@
 """Linear equations as text: ``2*x - y + 1 = 0``, ``x1 = 3/2 x2``, or a form, ``x - y``, that is 0.
 
-They are read by a small grammar, never evaluated. Coordinates are x, y and then z where that
-occurs, else all names in their order (x2 before x10); the positive side is where the left side is
-the larger one, or the form is positive.
+They are read by a small grammar, never evaluated; a word behind a number needs a ``*``. Coordinates
+are x, y and then z where that occurs, else all names in their order (x2 before x10); the positive
+side is where the left side is the larger one, or the form is positive.
 """
 
 from __future__ import annotations
@@ -116,7 +116,8 @@ def terms_of(
     while at < length or not at:
         term = _TERM.match(text, at)
         sign, number, star, name, divisor = term.groups() if term else [None] * 5
-        if term is None or not (name or (number and not star)) or (at and not sign):
+        is_word = number and name and not star and not _COORDINATE.fullmatch(name)
+        if term is None or is_word or not (name or (number and not star)) or (at and not sign):
             raise InputError(message(shown(text[at:].strip())))
         digits = number or "1"
         if divisor:

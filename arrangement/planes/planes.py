@@ -53,6 +53,8 @@ if TYPE_CHECKING:
 Names: TypeAlias = Iterable[str] | Mapping[int, str]
 #: Characters of the name of a plane.
 _LONGEST_NAME = 40
+#: Added where there is a text.
+_EQUATIONS = ", or Arrangement.from_equations(['x = 0', 'y = 0'])"
 #: Bits of a number that takes longer than others.
 _LONG_BITS = 1000
 
@@ -437,8 +439,13 @@ def _listed(normals: Any) -> list[Any]:
     if hasattr(normals, "tolist"):  # SymPy's matrices and arrays run through their entries
         normals = normals.tolist()
     if isinstance(normals, (str, bytes)) or not isinstance(normals, Iterable):
-        raise InputError("normals must be a sequence of vectors, one for each plane")
-    return list(normals)
+        raise InputError(
+            f"normals is {shown(normals)}; give vectors, one for each plane{_EQUATIONS}"
+        )
+    rows = list(normals)
+    if rows and isinstance(rows[0], str):
+        raise InputError(f"normal 1 is {shown(rows[0])}; give vectors of exact numbers{_EQUATIONS}")
+    return rows
 
 
 def _common_length(rows: list[RationalVector], dimension: int | None) -> int:

@@ -111,7 +111,7 @@ def add_applied(
     add_wrench(ways, name, text, None)
     add_force(parser, ways)
     whole: Any = getattr(parser, "_container", parser)  # a group knows its parser
-    whole.for_numbers = f"{name} {' '.join(_AXES)}"
+    whole.strays[r"[-+]?[0-9./][-+0-9./,]*"] = f"{name} {' '.join(_AXES)}"
     return ways
 
 

@@ -10,7 +10,15 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from arrangement import Arrangement, InputError, census, counts, read_arrangement
+from arrangement import (
+    Arrangement,
+    InputError,
+    Segments,
+    census,
+    counts,
+    read_arrangement,
+    read_segments,
+)
 from arrangement.cli import main
 from arrangement.library.census import identify
 from arrangement.library.files.table import FORMATS, Entries, converted
@@ -443,6 +451,7 @@ def test_what_is_no_linear_equation_is_refused(text, tmp_path):
             "is not linear in rational numbers near .*; write such",
         ),
         ("sin(x) = y\ny = 1", "'sin\\(x\\) = y' is not linear"),
+        ("x = 0 red\ny = 0 blue", "near '0 red'"),
     ],
 )
 def test_file_with_equality_signs_is_answered_as_equations(text, message, tmp_path):
@@ -458,6 +467,72 @@ def test_two_equality_signs_are_one(tmp_path):
 
 
 def test_lines_of_equations_are_recognized():
-    equations = ["x = 1", "word = 2 x1", "x1 - 1/2 y"]
+    equations = ["x = 1", "word = 2 x1", "2*word = 1", "x1 - 1/2 y"]
     others = ["2 = 3", "x = = 2", "sin(x) = 0", "1 2", "1", "2e5", "x y", "word", "x + word"]
     assert [line for line in [*equations, *others] if is_equation(line)] == equations
+
+
+@pytest.mark.parametrize("text", ["x = 0; x + y = 1", "x=0, x+y=1", "x = 0\nx + y = 1"])
+def test_equations_stand_in_place_of_a_path(text, capsys):
+    assert read_arrangement(text) == Arrangement([[1, 0], [1, 1]], [0, 1])
+    assert main(["count", text]) == 0
+    assert "planes           2\n" in capsys.readouterr().out
+
+
+def test_file_named_as_an_equation_is_read(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("y=2").write_text("x = 1")
+    assert read_arrangement("y=2") == Arrangement([[1, 0]], [1])
+    with pytest.raises(InputError, match="cannot read 'n=3"):
+        read_arrangement("n=3.json")
+
+
+def test_equations_in_several_arguments_are_to_be_one(capsys):
+    with pytest.raises(SystemExit):
+        main(["count", "x = 0", "y = 0"])
+    assert "one argument: 'x = 0; y = 0'" in capsys.readouterr().err
+
+
+def test_texts_as_normals_are_referred_to_equations():
+    for text in ("x = 0; y = 0", ["x = 0", "y = 0"]):
+        with pytest.raises(InputError, match="from_equations"):
+            Arrangement(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "0,0; 4,0; 0,4",
+        "0,0 4,0 0,4",
+        "(0,0), (4,0), (0,4)",
+        "[[0, 0], [4, 0], [0, 4]]",
+        " 0 ,0;4,0;0,4; ",
+    ],
+)
+def test_corners_stand_in_place_of_a_path(text):
+    triangle = Arrangement([[0, 1], [-1, -1], [1, 0]], [0, -4, 0])
+    assert read_arrangement(text) == triangle
+    assert read_arrangement(text).pieces(triangle).inside.cells == 1
+
+
+@pytest.mark.parametrize("text", ["0,0/4,0/0,4", "0,0;4;0,4", "1,2", "0,0;1,1;2,2"])
+def test_what_is_not_corners_is_refused(text):
+    with pytest.raises(InputError, match=r"0,0; 4,0; 0,4|three or more corners|convex"):
+        read_arrangement(text)
+
+
+def test_table_of_points_is_a_polygon(tmp_path):
+    path = tmp_path / "square.csv"
+    path.write_text("# corners\nX, Y\n0,0\n1/2,0\n1/2,0.5\n0,0.5\n")
+    assert len(read_arrangement(path).bounded_regions()) == 1
+    path.write_text("x,y\n0,0\n1,0,3\n")
+    with pytest.raises(InputError, match="'1,0,3' is not x,y"):
+        read_arrangement(path)
+
+
+def test_table_of_ends_has_segments(tmp_path):
+    path = tmp_path / "segments.csv"
+    path.write_text("x1;y1;x2;y2\n0;0;4;4\n0;4;4;0\n")
+    assert read_segments(path) == Segments([((0, 0), (4, 4)), ((0, 4), (4, 0))])
+    with pytest.raises(InputError, match="holds segments"):
+        read_arrangement(path)

@@ -305,6 +305,12 @@ class TestCommand:
         assert sides == convex_polygon([(0, 0), (2, 0), (1, sqrt(3))])
         assert read_arrangement(sides.to_dict()) == sides
 
+    def test_unbounded_inside_is_named(self, files, capsys):
+        assert main(["count", files[0], "--inside", "x = 0"]) == 0
+        assert "inside                  unbounded" in capsys.readouterr().out
+        assert main(["count", files[0], "--inside", files[1]]) == 0
+        assert "unbounded" not in capsys.readouterr().out
+
     def test_wrong_files_are_refused(self, files, capsys):
         assert main(["count", files[0], "--inside", "braid-a3"]) == 2
         with pytest.raises(SystemExit) as stopped:

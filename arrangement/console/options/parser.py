@@ -42,7 +42,7 @@ class Parser(argparse.ArgumentParser):
         lazy_options: adds the options that take time to find out.
         variadic: options that take at least so many numbers as their ``nargs``.
         arguments: the words that are parsed.
-        for_numbers: the option that takes numbers which stand alone, as it is written.
+        strays: patterns of words for which there is no place, each with what to write.
         synonyms: other words for commands and options, each with what to write.
         headings: the commands of a program under headings of its help: names with what they do.
         names: for arguments and options, by their destination, a function that returns the names
@@ -57,7 +57,7 @@ class Parser(argparse.ArgumentParser):
         self.variadic: list[argparse.Action] = []
         self.arguments: Sequence[str] = ()
         self.synonyms: Mapping[str, str] = {}
-        self.for_numbers = ""
+        self.strays: dict[str, str] = {}
         self.headings: dict[str, list[tuple[str, str]]] = {}
         self.names: dict[str, Callable[[], Iterable[str]]] = {}
         #: Options with a value, in the order in which they are parsed.
@@ -143,8 +143,9 @@ class Parser(argparse.ArgumentParser):
     def _unknown(self, word: str) -> str:
         if (name := word.partition("=")[0]) in self.synonyms:
             return self._synonym(name)
-        if self.for_numbers and re.fullmatch(r"[-+]?[0-9./]+", word):
-            return f"unexpected argument {shown(word)}; write {self.for_numbers}"
+        for pattern, use in self.strays.items():
+            if re.fullmatch(pattern, word):
+                return f"unexpected argument {shown(word)}; write {use}"
         kind = "unknown option" if word.startswith("-") else "unexpected argument"
         return f"{kind} {shown(word)}{_suggestion(word, self._option_string_actions)}"
 

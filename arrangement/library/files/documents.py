@@ -20,12 +20,15 @@ Segments in R^2 are a document of their own (`read_segments`), for each its two 
 
     {"schema_version": 1, "segments": [[["0", "0"], ["1", "0"]], [["0", "0"], ["1/2", "2"]]]}
 
+A table with the columns ``x,y`` is such a polygon, one with ``x1,y1,x2,y2`` has segments.
+
 Packages above this one add further kinds of document that stand for an arrangement
 (`arrangement.console.plugins`).
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -41,7 +44,7 @@ from arrangement.library.files.json_files import (
     parse_json,
 )
 from arrangement.numbers import budget
-from arrangement.numbers.exact import IntegerVector, bit_size, rational_vector
+from arrangement.numbers.exact import IntegerVector, bit_size, rational_vector, shown
 from arrangement.planes.polygon import convex_polygon
 from arrangement.segments import Segments
 
@@ -73,6 +76,28 @@ def figure_of(document: Any, name: str) -> Arrangement | Segments:
     kind = next(key for key in (*own, *others) if key in fields)
     made: Arrangement | Segments = (own.get(kind) or named(others[kind]))(fields)
     return made
+
+
+def tabulated(text: str, name: str) -> dict[str, Any] | None:
+    """Return the document of a table with the columns x, y, or x1, y1, x2, y2; None for another.
+
+    Raises:
+        InputError: a row that is not one point, or two.
+    """
+    lines = [line for line in map(str.strip, text.splitlines()) if line and line[0] != "#"]
+    head, *rows = [re.split(r"\s*[,;\t]\s*", line) for line in lines] or [[]]
+    columns = [column.lower() for column in head]
+    if columns not in (["x", "y"], ["x1", "y1", "x2", "y2"]):
+        return None
+    for row in rows:
+        if len(row) != len(columns):
+            raise InputError(
+                f"{name}: {shown(','.join(row))} is not {','.join(columns)}; write numbers with "
+                "commas between, and points in lines of a file or as 0,0; 4,0; 0,4"
+            )
+    if len(columns) == 2:
+        return {"schema_version": 1, "polygon": rows}
+    return {"schema_version": 1, "segments": [[row[:2], row[2:]] for row in rows]}
 
 
 def _planes(document: Mapping[str, Any]) -> Arrangement:

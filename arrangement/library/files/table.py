@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Iterable, Mapping
 from importlib import import_module
 from importlib.util import find_spec
@@ -41,15 +42,18 @@ FORMATS: dict[str, Format] = {
         *_of_others(),
     )
 }
+#: Points, in place of a file.
+_CORNERS = re.compile(r"(?=[^,]*,)[-+0-9./,;()\[\]\s]+")
 _BY_ENDING = {ending: form for form in FORMATS.values() for ending in form.endings}
 
 
 def read_arrangement(source: Source) -> Arrangement:
     """Read an arrangement from a path, ``"-"`` (stdin), a built-in name or a mapping.
 
-    Which of the formats a text is in is seen from the text. A grasp file (or name,
-    or table of contacts) is accepted too, when the package that knows grasps is installed: its
-    tangential planes are meant.
+    Equations, as in ``"x = 0; x + y = 1"``, and corners of a polygon, ``"0,0; 4,0; 0,4"``, may
+    stand in place of a path. Which of the formats a text is in is seen from the text. A grasp file
+    (or name, or table of contacts) is accepted too, when the package that knows grasps is
+    installed: its tangential planes are meant.
 
     Raises:
         InputError: for anything that is not exactly a valid text of one arrangement.
@@ -94,8 +98,10 @@ def read_with_rest(
     Args:
         read: from a document and its name in messages.
     """
-    text, name = read_text(source)
+    text, name = _text_of(source)
     form = _form_of(text, Path(source).suffix.lower())
+    if (table := documents.tabulated(text, name)) is not None:
+        return read(table, name), ""
     if not form.recognises(text) and not text.lstrip().startswith(("{", "[")):
         tables = (named(place)(text) for place in added("tables").values())
         if (table := next((x for x in tables if x is not None), None)) is not None:
@@ -108,6 +114,18 @@ def read_with_rest(
             key for key in document if key not in (*documents.KEYS, "polygon")
         )
     return Entries(form, text, name).only(), ""
+
+
+def _text_of(source: str | os.PathLike[str]) -> tuple[str, str]:
+    """Return a text and its name for messages: that of a file, or what stands in its place."""
+    if isinstance(source, str) and not os.path.lexists(source):
+        if "=" in source and Path(source).suffix.lower() not in _BY_ENDING:
+            return source.replace(",", ";"), shown(source)
+        if _CORNERS.fullmatch(source):
+            plain = re.sub(r"[\])]\s*,\s*[\[(]", ";", source).strip("()[]; ")
+            points = re.split(r"[;\s]+", re.sub(r"\s*,\s*", ",", plain))
+            return "\n".join(["x,y", *points]), shown(source)
+    return read_text(source)
 
 
 def _named(what: str) -> str:
