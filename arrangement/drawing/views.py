@@ -557,6 +557,10 @@ class Drawings:
 
     def _check_name(self, kind: str, name: str) -> None:
         known = self.entries(kind)
+        if suffix := Path(name).suffix:
+            raise InputError(
+                f"the {kind} is {shown(name)}; write a {suffix} file with draw().write"
+            )
         for part in name.split(",") if kind == "view" else [name]:
             if part not in known:
                 raise refusal(f"the {kind} is {shown(part)}", part, known)

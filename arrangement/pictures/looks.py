@@ -22,7 +22,7 @@ from .names import plane_names, stroke
 
 #: Names of planes, and colours of planes, by number or name, as a text or a mapping.
 NamesOption: TypeAlias = Annotated[str | Names, Syntax(metavar="1=NAME,...")]
-ColoursOption: TypeAlias = Annotated[str | Mapping[Any, str], Syntax(metavar="1=COLOUR,...")]
+ColoursOption: TypeAlias = Annotated[str | Names, Syntax(metavar="1=COLOUR,...")]
 
 #: Of lines; on paper in units of their width.
 DASHES: Mapping[str, Any] = {"solid": "-", "dashed": (0, (4, 2)), "dotted": (0, (1, 1.5))}
@@ -39,28 +39,37 @@ class Look(NamedTuple):
 
 
 def read_names(names: str | Names) -> Names:
-    """Return names by number, from a text such as ``1=ell,2=m``; others as they are."""
-    return (
-        {_number(k): text for k, text in _pairs(names, "names")}
-        if isinstance(names, str)
-        else names
-    )
+    """Return names by number, from a text as ``1=ell,2=m`` or ``ell,m``; others as they are."""
+    if not isinstance(names, str):
+        return names
+    if "=" not in names:
+        return [text.strip() for text in names.split(",")]
+    return {_number(k): text for k, text in _pairs(names, "names")}
 
 
-def read_looks(colours: str | Mapping[Any, str], planes: Planes) -> dict[int, Look]:
+def read_looks(colours: str | Names, planes: Planes) -> dict[int, Look]:
     """Return looks by the number of a plane, from 0 on.
 
     Args:
         colours: as a text such as ``1=gold,m=#0af:dashed,3=:dotted``, or as a mapping; the keys are
-            numbers from 1 on, or names.
+            numbers from 1 on, or names. Or one for each plane, as ``gold,red,blue`` or a list.
 
     Raises:
         InputError: no such plane, colour or dash.
     """
-    pairs = _pairs(colours, "colours") if isinstance(colours, str) else dict(colours).items()
+    if isinstance(colours, str):
+        colours = dict(_pairs(colours, "colours")) if "=" in colours else colours.split(",")
+    if not isinstance(colours, Mapping):
+        listed = list(colours)
+        if len(listed) != len(planes):
+            raise InputError(
+                f"{len(listed)} of {len(planes)} planes have a colour; give one for each, or "
+                "by number, as in 1=gold"
+            )
+        colours = dict(enumerate(listed, 1))
     looks: dict[int, Look] = {}
-    for key, text in pairs:
-        colour, _, dash = str(text).partition(":")
+    for key, text in colours.items():
+        colour, _, dash = str(text).strip().partition(":")
         if dash and dash not in DASHES:
             raise refusal(f"the dash of {shown(key)} is {shown(dash)}", dash, DASHES)
         look = Look(hex_colour(colour) if colour else "", dash)

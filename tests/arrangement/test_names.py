@@ -85,11 +85,17 @@ class TestValues:
             read_looks(text, LINES)
 
     @pytest.mark.parametrize(
-        "text", ["0=red", "5=red", "m=red", "1=reddish", "1=red:dash", "1=a b"]
+        "text", ["0=red", "5=red", "m=red", "1=reddish", "1=red:dash", "1=a b", "red", "red,gold"]
     )
     def test_wrong_colours_are_refused(self, text):
         with pytest.raises(InputError):
             read_looks(text, LINES)
+
+    def test_one_for_each_plane_needs_no_numbers(self):
+        looks = read_looks("1=red,2=gold,3=:dotted,4=blue", LINES)
+        assert read_looks("red, gold,:dotted,blue", LINES) == looks
+        assert read_looks(["red", "gold", ":dotted", "blue"], LINES) == looks
+        assert LINES.named(read_names("a, b,,d")).names == ("a", "b", "", "d")
 
 
 class TestPictures:
