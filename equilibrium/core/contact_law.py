@@ -30,9 +30,10 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any, NamedTuple, TypeAlias
 
-from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear.intervals import Interval
-from equilibrium.model.rows import ContactRows
+from equilibrium.model.contact import Contact
+from equilibrium.model.rows import ContactRow, ContactRows
 
 #: Whether a combination of numbers is 0, or at least 0; and its factors.
 Side: TypeAlias = tuple[bool, Sequence[Any]]
@@ -40,6 +41,17 @@ Side: TypeAlias = tuple[bool, Sequence[Any]]
 Terms: TypeAlias = dict[Any, Any]
 ONE = 1
 _SIGNS = {"slip+": 1, "slip-": -1}
+
+
+def spring_row(contact: Contact | ContactRow) -> RationalVector:
+    """Return ``(q, -k N)``: the force of a spring at a homogeneous motion ``(d_0, d)``."""
+    return (contact.preload, *(-contact.stiffness * x for x in contact.normal_wrench))
+
+
+def spring_force(contact: Contact | ContactRow, motion: Sequence[Fraction]) -> Fraction:
+    """Return ``q - k N . d``: the normal force of a contact that touches; below 0 it does not."""
+    force: Fraction = contact.preload - contact.stiffness * dot(contact.normal_wrench, motion)
+    return force
 
 
 class ContactState(NamedTuple):

@@ -17,6 +17,8 @@ from arrangement.numbers.linear.programs import Infeasible, Program, Unbounded
 from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.grasp import Grasp
 
+from .contact_law import spring_row
+
 #: Normal and tangential force.
 Pair: TypeAlias = tuple[RationalVector, RationalVector]
 
@@ -28,8 +30,8 @@ DIRECTION = {"slip+": -1, "slip-": 1}
 
 def normal_force_row(contact: Contact, n: int = 3) -> RationalVector:
     """Return the normal force of a touching contact, ``preload - stiffness N . d``."""
-    spring = (-contact.stiffness * x for x in contact.normal_wrench)
-    return (*spring, *[Fraction(0)] * (n - 3), contact.preload)
+    preload, *spring = spring_row(contact)
+    return (*spring, *[Fraction(0)] * (n - 3), preload)
 
 
 def slip_row(contact: Contact, n: int = 3) -> RationalVector:

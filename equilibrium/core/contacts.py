@@ -22,6 +22,7 @@ from arrangement.numbers.float_filter import Floats
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 
+from .contact_law import spring_row
 from .contact_rows import over_unit
 
 #: Larger numbers are cut off.
@@ -82,7 +83,7 @@ class FloatContacts:
     @cached_property
     def springs(self) -> list[RationalVector]:
         """The exact rows ``(preload, -stiffness N)``."""
-        return [(c.preload, *(-c.stiffness * x for x in c.normal_wrench)) for c in self.rows]
+        return list(map(spring_row, self.rows))
 
     def arms(self, arm: float, step: float = 1.0) -> Floats:
         """Return a number for each coordinate of a motion, another one for turns."""
@@ -111,7 +112,7 @@ class IntegerContacts:
         m = len(grasp)
         spring, wrenches = [], []
         for c in grasp:
-            spring.append(over_unit((c.preload, *(-c.stiffness * x for x in c.normal_wrench))))
+            spring.append(over_unit(spring_row(c)))
             wrenches.append(over_unit((*c.normal_wrench, *c.tangential_wrench)))
         self.spring = whole([row for row, _ in spring], (m, 4))
         self.spring_unit = whole([unit for _, unit in spring], (m,))

@@ -141,7 +141,7 @@ class EquilibriumSearch:
         if point is None:
             return None
         r, near, friction = self.relaxation, SETTINGS.tresca_tolerance, self.contacts.friction
-        spring = r.preload - r.stiffness * (r.normal @ point.motion)
+        spring = r.springs(point.motion)
         normal = np.where(spring > near, point.forces[:, 0], 0.0)
         slips = r.tangents @ point.motion
         still = r.stiffness * lengths(slips) <= near
@@ -249,12 +249,8 @@ def _springs(balance: StateBalance, size: int) -> dict[int, list[Fraction]]:
     """Return the normal forces of touching contacts as rows in the unknowns."""
     rest = [Fraction(0)] * (size - len(balance.basis))
     return {
-        i: [
-            *(-contact.stiffness * dot(contact.normal_wrench, b) for b in balance.basis),
-            *rest,
-            contact.preload,
-        ]
-        for i, contact in enumerate(balance.contacts.rows)
+        i: [*(dot(slope, b) for b in balance.basis), *rest, preload]
+        for i, (preload, *slope) in enumerate(balance.contacts.springs)
         if balance.states.touching[i]
     }
 

@@ -417,16 +417,20 @@ class Relaxation:
         found = np.array(clarabel.DefaultSolver(*question, self.settings).solve().x)
         return self._ray(states, program, found[:-1]) if found[-1] > -_ROOM_ERROR else None
 
+    def springs(self, motion: Floats) -> Floats:
+        """Return the forces of springs at a motion, below 0 where contacts are detached."""
+        forces: Floats = self.preload - self.stiffness * (self.normal @ motion)
+        return forces
+
     def violations(self, states: Sequence[State], found: Point) -> Floats:
         """Return how far each contact is from the law: the change of force that it would take."""
         d, f = found
-        spring = self.preload - self.stiffness * (self.normal @ d)
         slip = self.tangents @ d
         missed = self.cones.misses(self.friction * f[:, 0], f[:, 1:], slip)
         # Without a spring no motion changes a force, and what is missed is all there is.
         soft = np.where(self.stiffness > 0, self.stiffness * lengths(slip), missed)
         rubs = np.minimum(soft, missed)
-        lifts = f[:, 0] - np.maximum(0.0, spring)
+        lifts = f[:, 0] - np.maximum(0.0, self.springs(d))
         open_ = np.array([state not in ("detached", "stick") for state in states], dtype=bool)
         first = np.array([state == "undecided" for state in states], dtype=bool)
         values: Floats = np.where(open_, rubs + np.where(first, _LIFT_WEIGHT * lifts, 0.0), 0.0)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.numbers.exact import RationalVector, dot, sign
 from equilibrium.certificate.uncertain import Bounds
+from equilibrium.core.contact_law import spring_force
 from equilibrium.model.contact import VALUES, Contact, wrench_at
 from equilibrium.model.subject import Subject, contacts_of, flat, seen_by, with_contacts
 from equilibrium.model.unit_normal import unit_normal
@@ -112,9 +113,7 @@ def _working(
     slips = [dot(row, virtual) for row in contact.tangential_wrenches]
     along, size = dot(contact.normal_wrench, virtual), sum(map(abs, slips))
     ways = [Fraction(x) / size if size else Fraction(0) for x in slips]
-    spring = max(
-        contact.preload - contact.stiffness * dot(contact.normal_wrench, motion), Fraction(0)
-    )
+    spring = max(spring_force(contact, motion), Fraction(0))
     work = along - contact.friction * dot(ways, slips)
     # Without adhesion all forces are proportional to e.
     pressing, stuck = (spring, contact.adhesion) if contact.adhesion else (Fraction(1), Fraction(0))

@@ -16,6 +16,7 @@ from typing import Any, TypeAlias
 
 from arrangement.numbers.exact import RationalVector, dot, to_text
 from equilibrium.certificate.leaves import spatial_leaves
+from equilibrium.core.contact_law import spring_force
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
@@ -240,10 +241,7 @@ def blends(grasp: Grasp, one: Solution, other: Solution) -> bool:
 
 def _same(contact: Contact, pair: Sequence[tuple[RationalVector, RationalVector]]) -> bool:
     """Return whether a contact is on one side of its spring, and slips in one direction or not."""
-    springs = [
-        contact.preload - contact.stiffness * dot(contact.normal_wrench, motion)
-        for motion, _ in pair
-    ]
+    springs = [spring_force(contact, motion) for motion, _ in pair]
     if max(springs) <= 0:
         return True
     (a, b), (c, d) = (

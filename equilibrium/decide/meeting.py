@@ -26,7 +26,13 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.core.contact_law import ContactState, LinearQuestion, State, fraction
+from equilibrium.core.contact_law import (
+    ContactState,
+    LinearQuestion,
+    State,
+    fraction,
+    spring_force,
+)
 from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contacts import nearest
 from equilibrium.model.contact import Contact
@@ -251,9 +257,8 @@ class _Balance:
         n, by_contact = self.rows.n, dict[int, list[Fraction]]()
         for column, x in zip(chosen, values[n:], strict=True):
             row = self.rows[column.contact]
-            pressed = row.preload - row.stiffness * dot(row.normal_wrench, values[:n])
             # Adhesion pulls along the row that changes, too.
-            pressed -= row.adhesion
+            pressed = spring_force(row, values[:n]) - row.adhesion
             if column.kind == kind and x and pressed:
                 shares = by_contact.setdefault(column.contact, [Fraction(0)] * self.rows.tangents)
                 shares[column.tangent] = x / pressed

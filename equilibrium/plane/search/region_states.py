@@ -17,7 +17,7 @@ import numpy as np
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
 from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_law import LinearQuestion, spring_force
 from equilibrium.core.contact_program import ContactProgram, Node as States
 from equilibrium.core.contacts import IntegerContacts, product
 from equilibrium.model.effort import Effort
@@ -136,8 +136,7 @@ class StateSplits:
         assert solution is not None
         forces: list[RationalVector] = []
         for contact, sign in zip(self.contacts.grasp, self._signs, strict=True):
-            pull = contact.stiffness * dot(contact.normal_wrench, solution.motion)
-            normal = max(contact.preload - pull, Fraction(0))
+            normal = max(spring_force(contact, solution.motion), Fraction(0))
             forces.append((normal, -sign * contact.friction * normal))
         for i, force in zip(self.open, solution.forces, strict=True):
             forces[i] = force
