@@ -15,25 +15,23 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from arrangement import Arrangement
 from arrangement.console.number_form import LABEL, JsonMixin
 from arrangement.console.progress import watched
-from arrangement.enumeration.choose import most_faces
 from arrangement.errors import OutOfReachError
-from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.intervals import Interval, common, holds, union
 from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contact_rows import negated
 from equilibrium.decide.assemblies.ends import ends_of
+from equilibrium.decide.assemblies.magnitudes import magnitudes_of
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.decide.state_choices import StateChoices
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, chosen_contacts, read_wrench
 from equilibrium.model.rows import ContactRows
-from equilibrium.plane.states.contact_states import DETACHED, States, states_of_code
+from equilibrium.plane.states.contact_states import states_of_code
 
 from .friction import TOLERANCE, FrictionBracket, least_friction
 from .line import ALL, Magnitudes, resisted_magnitudes
@@ -225,9 +223,9 @@ def chosen_preloads(
 ) -> Preloads:
     """Return all p >= 0 with which chosen contacts make a grasp resist every wrench, exactly.
 
-    Each chosen contact has the preload p, a pad in all, and the others keep their own. Motions and
-    p together are a space of four dimensions, in which the planes of the contacts have cells; on
-    each choice of contact states that a cell has, the p that resist a wrench are one interval.
+    Each chosen contact has the preload p, a pad in all, and the others keep their own. On each
+    choice of contact states the p that resist a wrench are one interval, so a tree of states finds
+    them all.
 
     Args:
         wrenches: of an assembly each is a wrench for each body.
@@ -235,8 +233,7 @@ def chosen_preloads(
 
     Raises:
         GraspError: no wrench, or no such contact.
-        OutOfReachError: too many contacts.
-        UndecidedError: an assembly takes more nodes or steps than the limits allow.
+        UndecidedError: the tree takes more nodes or steps than the limits allow.
 
     >>> from equilibrium import read_grasp
     >>> grasp = read_grasp("paper-four-contacts-preload-1")
@@ -253,28 +250,17 @@ def chosen_preloads(
             f"contacts are {shown(list(chosen))} and wrenches {len(listed)}; expected at least one "
             f"wrench, and numbers of contacts from 1 to {len(every)}"
         )
+    subject, bound = solver.grasp, solver.max_displacement
     found: tuple[Interval, ...] = (ALL,)
-    if isinstance(solver.grasp, Assembly):
-        read = tuple(map(solver.grasp.read_wrenches, listed))
-        for wrench in read:
-            found = common(found, solver.preloads(wrench, chosen))
-        return Preloads(read, chosen, found)
-    given, bound = solver.grasp, solver.max_displacement
-    given.require_plane()
-    loads = tuple(map(read_wrench, listed))
-    unloaded, loaded = (given.with_preload(p, chosen) for p in (0, 1))
-    many = most_faces(2 * len(given), 4, False)
-    budget.check_cost(
-        f"contact states of {len(given)} contacts with a free preload",
-        "leave out contacts",
-        steps=2000 * many * len(loads),
-    )
-    choices = _states_of_preloads(unloaded, loaded)
-    for w in loads:
-        question = _preload_question(given, chosen, w, bound)
-        tried = watched(choices, "contact states")
-        parts = (ContactProgram(question, states).magnitudes() for states in tried)
-        found = common(found, union(part for part in parts if part is not None))
+    if isinstance(subject, Assembly):
+        loads: tuple[Any, ...] = tuple(map(subject.read_wrenches, listed))
+        intervals = (solver.preloads(load, chosen) for load in loads)
+    else:
+        loads = tuple(map(read_wrench, listed))
+        questions = (_preload_question(subject, chosen, load, bound) for load in loads)
+        intervals = (magnitudes_of(question) for question in questions)
+    for some in intervals:
+        found = common(found, some)
     return Preloads(loads, chosen, found)
 
 
@@ -291,31 +277,3 @@ def _preload_question(
         chosen=grasp.points_of(contacts),
         max_displacement=bound,
     )
-
-
-def _states_of_preloads(unloaded: Grasp, loaded: Grasp) -> list[States]:
-    """Return choices of contact states that together admit every equilibrium, for every preload.
-
-    As in `contact_states`, with one dimension more: the share of the way from the first grasp to
-    the second.
-    """
-    m = len(unloaded)
-    rows = []
-    for c, full in zip(unloaded, loaded, strict=True):
-        spring = (*(c.stiffness * x for x in c.normal_wrench), c.preload - full.preload)
-        # A constant force never lets go; its plane is the other one again.
-        rows.append((spring, c.preload) if c.stiffness else ((*c.tangential_wrench, 0), 0))
-    slips = [(*c.tangential_wrench, 0) for c in unloaded]
-    planes = Arrangement(
-        [*slips, *(row for row, _ in rows)], [0] * m + [offset for _, offset in rows], dimension=4
-    )
-    tangential = sorted({planes.firsts[label] for label in planes.class_of[:m]})
-    springs = [bool(c.stiffness) for c in unloaded]
-    found: dict[States, None] = {}
-    for least, dimension in enumerate((4, 3, 2, 1)):
-        for signs in planes.faces(dimension).signs.tolist():
-            if sum(signs[k] == 0 for k in tangential) >= least:
-                pairs = zip(signs[:m], signs[m:], springs, strict=True)
-                codes = [DETACHED if s and side >= 0 else slip for slip, side, s in pairs]
-                found[states_of_code(codes)] = None
-    return list(found)

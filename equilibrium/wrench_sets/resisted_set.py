@@ -308,7 +308,7 @@ class ResistedSet(HintsMixin, JsonMixin):
 
         Raises:
             GraspError: no wrench, or no such contact.
-            OutOfReachError: too many contacts.
+            UndecidedError: too many contacts.
 
         >>> from equilibrium import ResistedSet, read_grasp
         >>> resisted = ResistedSet(read_grasp("paper-three-contacts"))

@@ -73,7 +73,7 @@ def assembly_magnitudes(
             changed = replace(
                 question, preload_slope=preload_slope, max_displacement=max_displacement
             )
-            intervals = common(intervals, _magnitudes(changed))
+            intervals = common(intervals, magnitudes_of(changed))
     return intervals
 
 
@@ -250,8 +250,12 @@ def _limited(question: LinearQuestion) -> Iterator[StateTree]:
         ) from None
 
 
-def _magnitudes(question: LinearQuestion) -> tuple[Interval, ...]:
-    """Return all t >= 0 with an equilibrium of one part."""
+def magnitudes_of(question: LinearQuestion) -> tuple[Interval, ...]:
+    """Return all t >= 0 with an equilibrium of one part, or of a grasp in the plane.
+
+    Raises:
+        UndecidedError: more nodes or steps than the limits allow.
+    """
     intervals: tuple[Interval, ...] = ()
     with _limited(question) as tree:
         for program in tree:
