@@ -243,7 +243,7 @@ def accessor(**changes: object) -> dict:
 
 
 GLB = {
-    "count": (accessor(count=8 * 10**8), "266,666,666 facets: this would take"),
+    "count": (accessor(count=8 * 10**8), "accessor 0 has 800000000 entries, more than there are"),
     "no data": (accessor(bufferView=None), "accessor 0 has no data of its own"),
     "sparse": (accessor(sparse={}), "accessor 0 has no data of its own"),
     "bytes": (accessor(count=4), "accessor 0 has 4 entries"),
@@ -275,6 +275,21 @@ def test_glb_vertex_out_of_range_is_refused(tmp_path):
     path = tmp_path / "a.glb"
     path.write_bytes(glb({}, bytes(36) + bytes([0, 1, 3])))
     with pytest.raises(InputError, match="names a vertex that is not there"):
+        Surface.read(path)
+
+
+def test_facets_of_repeated_glb_meshes_are_forecast(tmp_path):
+    many = 300_000
+    part = {"attributes": {"POSITION": 0}, "indices": 1}
+    document = accessor() | {"meshes": [{"primitives": 9 * [part]}]}
+    document["accessors"][1]["count"] = many
+    views = [
+        {"buffer": 0, "byteLength": 36},
+        {"buffer": 0, "byteLength": many, "byteOffset": 36},
+    ]
+    path = tmp_path / "a.glb"
+    path.write_bytes(glb(document | {"bufferViews": views}, bytes(36 + many)))
+    with limit(1 / 2), pytest.raises(OutOfReachError, match="00,000 facets: this would take"):
         Surface.read(path)
 
 

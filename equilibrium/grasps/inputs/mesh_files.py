@@ -16,7 +16,7 @@ from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice, pairwise
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,6 +45,11 @@ _STL_FACET += ["endloop", "endfacet"]
 _PLY_TYPES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I"}
 _PLY_TYPES |= {"int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I"}
 _PLY_TYPES |= {"float": "f", "float32": "f", "double": "d", "float64": "d"}
+_TYPE = "|".join(_PLY_TYPES)
+#: A line of the header: an element and its number, or a property of it, perhaps a list.
+_PLY_LINE = re.compile(
+    rf"element (\S+) ([0-9]{{1,18}})|property (?:list ({_TYPE}) )?({_TYPE}) (\S+)"
+)
 #: The order of the bytes of numbers; empty where they are words.
 _PLY_FORMATS = {
     "format ascii 1.0": "",
@@ -149,8 +154,8 @@ def _ascii_stl(content: bytes) -> array[float]:
             used, facet = facet[: len(_STL_FACET)], facet[len(_STL_FACET) :]
             if any(b not in (a.lower(), "") for a, b in zip(used, _STL_FACET, strict=True)):
                 raise GraspError("a facet is not: facet normal, outer loop, three vertices, ...")
-            numbers = _floats([a for a, b in zip(used, _STL_FACET, strict=True) if not b])
-            corners.extend(numbers[3:])
+            words = [a for a, b in zip(used, _STL_FACET, strict=True) if not b]
+            corners.extend(_numbers(words, float)[3:])
     if not begun == ended > 0 or facet:
         raise GraspError(
             "it is neither a binary STL file as long as its number of facets requires, nor an "
@@ -171,7 +176,7 @@ def _obj(content: bytes) -> Triangles:
                 # after x y z may come a weight, or a colour, or both
                 if len(words) not in (3, 4, 6, 7):
                     raise GraspError(f"a vertex has {len(words)} numbers; expected x y z")
-                mesh.points.extend(_floats(words)[:3])
+                mesh.points.extend(_numbers(words, float)[:3])
         except InputError as error:
             if isinstance(error, OutOfReachError):
                 raise
@@ -187,25 +192,18 @@ def _obj_index(word: str, points: int) -> int:
         raise GraspError(
             f"a corner of a facet is {shown(word)}; expected a number such as 3 or 3/1/2"
         )
-    return number - 1 if number > 0 else _not_negative(points + number)
+    index = number - 1 if number > 0 else points + number
+    if index < 0:
+        raise GraspError(f"a facet names vertex {index}; expected 0 or more")
+    return index
 
 
-def _not_negative(number: int) -> int:
-    if number < 0:
-        raise GraspError(f"a facet names vertex {number}; expected 0 or more")
-    return number
+class _PlyProperty(NamedTuple):
+    """A property of an element: its type, and of a list the type of its lengths, else ""."""
 
-
-class _PlyProperty:
-    """A property of an element: its type, and for lists the type of their lengths."""
-
-    def __init__(self, words: Sequence[str]) -> None:
-        *kinds, self.name = words or [""]
-        self.is_list = kinds[:1] == ["list"]
-        kinds = kinds[self.is_list :]
-        if len(kinds) != 1 + self.is_list or any(kind not in _PLY_TYPES for kind in kinds):
-            raise GraspError(f"a property in its header is {shown(' '.join(words))}")
-        self.length, self.kind = _PLY_TYPES[kinds[0]], _PLY_TYPES[kinds[-1]]
+    name: str
+    kind: str
+    length: str
 
 
 class _PlyBody:
@@ -221,17 +219,15 @@ class _PlyBody:
 
     def take(self, kind: str, number: int) -> Sequence[Any]:
         """Return the next numbers of a kind."""
-        # a word takes a byte or more, too
-        if 0 <= number <= len(self.content) - self.place:
-            size = struct.calcsize(self.endian + kind)
-            if not self.endian:
-                words = list(islice(self.words, number))
-                if len(words) == number:
-                    return _floats(words) if kind in "fd" else _integers(words)
-            elif self.place + number * size <= len(self.content):
+        size = struct.calcsize(self.endian + kind) if self.endian else 1  # of a word at least
+        if 0 <= number <= (len(self.content) - self.place) // size:
+            if self.endian:
                 self.place += number * size
                 form = f"{self.endian}{number}{kind}"
                 return struct.unpack_from(form, self.content, self.place - number * size)
+            words = list(islice(self.words, number))
+            if len(words) == number:
+                return _numbers(words, float if kind in "fd" else int)
         raise GraspError("it ends before the numbers that its counts promise")
 
     def at_end(self) -> bool:
@@ -240,20 +236,20 @@ class _PlyBody:
     def row(self, properties: Iterable[_PlyProperty]) -> dict[str, Sequence[Any]]:
         """Return the values of the next of the elements by property."""
         return {
-            p.name: self.take(p.kind, int(self.take(p.length, 1)[0]) if p.is_list else 1)
+            p.name: self.take(p.kind, int(self.take(p.length, 1)[0]) if p.length else 1)
             for p in properties
         }
 
 
 def _ply(content: bytes) -> Triangles:
     header, end, rest = content.partition(b"end_header")
-    lines = [line.split() for line in _text(_short(header, "the header")).splitlines()]
-    form = " ".join(lines[1]) if len(lines) > 1 else ""
-    if not end or lines[:1] != [["ply"]] or form not in _PLY_FORMATS:
+    text = _text(_short(header, "the header"))
+    first, form, *lines = *(" ".join(line.split()) for line in text.splitlines()), "", ""
+    if not end or first != "ply" or form not in _PLY_FORMATS:
         raise GraspError("a PLY file begins with ply, its format and a header up to end_header")
     body = _PlyBody(rest.removeprefix(b"\r").removeprefix(b"\n"), _PLY_FORMATS[form])
     mesh = _Builder()
-    for name, number, properties in _ply_elements(lines[2:]):
+    for name, number, properties in _ply_elements(lines):
         names = {p.name for p in properties}
         corners = next((x for x in ("vertex_indices", "vertex_index") if x in names), "")
         if name == "vertex" and not {"x", "y", "z"} <= names:
@@ -269,18 +265,18 @@ def _ply(content: bytes) -> Triangles:
     return mesh.triangles()
 
 
-def _ply_elements(lines: Iterable[list[str]]) -> list[tuple[str, int, list[_PlyProperty]]]:
+def _ply_elements(lines: Iterable[str]) -> list[tuple[str, int, list[_PlyProperty]]]:
     """Return name, number and properties of each element of a header."""
     elements: list[tuple[str, int, list[_PlyProperty]]] = []
-    for words in lines:
-        if not words or words[0] in ("comment", "obj_info"):
-            continue
-        if words[0] == "element" and len(words) == 3 and re.fullmatch("[0-9]{1,18}", words[2]):
-            elements.append((words[1], int(words[2]), []))
-        elif words[0] == "property" and elements:
-            elements[-1][2].append(_PlyProperty(words[1:]))
-        else:
-            raise GraspError(f"a line of its header is {shown(' '.join(words))}")
+    for line in lines:
+        match = _PLY_LINE.fullmatch(line)
+        if match and match[1]:
+            elements.append((match[1], int(match[2]), []))
+        elif match and elements:
+            length, kind = _PLY_TYPES.get(match[3], ""), _PLY_TYPES[match[4]]
+            elements[-1][2].append(_PlyProperty(match[5], kind, length))
+        elif line.partition(" ")[0] not in ("", "comment", "obj_info"):
+            raise GraspError(f"a line of its header is {shown(line)}")
     return elements
 
 
@@ -301,18 +297,13 @@ def _short(content: bytes, what: str) -> bytes:
     return content
 
 
-def _floats(words: Sequence[str]) -> list[float]:
+def _numbers(words: Sequence[str], kind: type[float]) -> list[Any]:
+    """Return words as floats or as integers."""
+    form, what = (_INTEGER, "a whole number") if kind is int else (_NUMBER, "a number")
     for word in words:
-        if not _NUMBER.fullmatch(word):
-            raise GraspError(f"{shown(word)} is not a number")
-    return [float(word) for word in words]
-
-
-def _integers(words: Sequence[str]) -> list[int]:
-    for word in words:
-        if not _INTEGER.fullmatch(word):
-            raise GraspError(f"{shown(word)} is not a whole number")
-    return [int(word) for word in words]
+        if not form.fullmatch(word):
+            raise GraspError(f"{shown(word)} is not {what}")
+    return [kind(word) for word in words]
 
 
 def _glb(content: bytes) -> Triangles:
@@ -361,9 +352,10 @@ class _GlbScene:
             raise GraspError("it has no scene")
         roots = self.item("scenes", self.document.get("scene", 0)).get("nodes", [])
         waiting = [(node, np.eye(4)) for node in roots]
-        placed: list[tuple[Any, Floats]] = []
         seen: set[int] = set()
-        facets = 0
+        points: list[Floats] = [np.empty((0, 3))]
+        facets: list[Facets] = [np.empty((0, 3), np.intp)]
+        start = count = 0
         while waiting:
             number, outer = waiting.pop()
             node = self.item("nodes", number)
@@ -373,46 +365,29 @@ class _GlbScene:
             transform = outer @ _placement(node)
             waiting += [(child, transform) for child in node.get("children", [])]
             for part in self.item("meshes", node["mesh"])["primitives"] if "mesh" in node else ():
-                placed.append((part, transform))
-                facets += self.size(part)
-                check_size(facets)
-        parts = [self.part(part, transform) for part, transform in placed]
-        starts = np.cumsum([0, *(len(points) for points, _ in parts)])
-        joined = [corners + start for (_, corners), start in zip(parts, starts, strict=False)]
-        empty = np.empty((0, 3))
-        return (
-            np.concatenate([empty, *(points for points, _ in parts)]),
-            np.concatenate([empty.astype(np.intp), *joined]),
-        )
+                own, corners = self.part(part)
+                count += max(len(own), len(corners)) // 3
+                check_size(count)
+                turn = -1 if np.linalg.det(transform[:3, :3]) < 0 else 1
+                points.append(own.astype(np.float64) @ transform[:3, :3].T + transform[:3, 3])
+                facets.append(start + corners.astype(np.intp).reshape(-1, 3)[:, ::turn])
+                start += len(own)
+        return np.concatenate(points), np.concatenate(facets)
 
-    def size(self, part: dict[str, Any]) -> int:
-        """Return the number of points or facets of a part that its accessors state."""
-        accessors = (part.get("indices"), part["attributes"]["POSITION"])
-        return max(
-            int(self.item("accessors", number)["count"]) // 3
-            for number in accessors
-            if number is not None
-        )
-
-    def part(self, part: dict[str, Any], transform: Floats) -> Triangles:
-        """Return the points of a part of a mesh, moved, and its facets."""
+    def part(self, part: dict[str, Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Return the points of a part of a mesh and the corners of its triangles, as stored."""
         if part.get("mode", _GLB_TRIANGLES) != _GLB_TRIANGLES:
             raise GraspError("its meshes are not of single triangles (mode 4)")
-        place = part["attributes"]["POSITION"]
-        points = self.numbers(place, {_GLB_FLOAT: "<f4"}, "VEC3", 3).astype(np.float64)
+        points = self.numbers(part["attributes"]["POSITION"], {_GLB_FLOAT: "<f4"}, "VEC3", 3)
         indices = part.get("indices")
-        if indices is None:
-            corners = np.arange(len(points))
-        else:
-            corners = self.numbers(indices, _GLB_INDICES, "SCALAR", 1).astype(np.intp).ravel()
+        corners = np.arange(len(points))
+        if indices is not None:
+            corners = self.numbers(indices, _GLB_INDICES, "SCALAR", 1)[:, 0]
         if len(corners) % 3 or (len(corners) and corners.max() >= len(points)):
             raise GraspError(
                 f"a facet names a vertex that is not there; there are {len(points)}, from 0"
             )
-        facets = corners.reshape(-1, 3)
-        if np.linalg.det(transform[:3, :3]) < 0:
-            facets = facets[:, ::-1]
-        return points @ transform[:3, :3].T + transform[:3, 3], facets
+        return points, corners
 
     def numbers(self, number: Any, kinds: dict[int, str], form: str, width: int) -> NDArray[Any]:
         """Return the (count, width) numbers of an accessor, which are in the file in full."""
