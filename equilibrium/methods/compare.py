@@ -18,6 +18,7 @@ from equilibrium.model.rows import ContactRows
 from equilibrium.wrench_sets.slice import FORCES, resisted_region
 
 from .grasp_wrench_space import GraspWrenchSpace
+from .method import BODIES, PLANE, SPACE, kind_of
 from .registry import DECIDING, DECIDING_ASSEMBLIES, DECIDING_IN_SPACE, METHODS, method_named
 
 _WORDS = {True: "yes", False: "no", None: "-"}
@@ -199,10 +200,9 @@ def compare(
 
 def _chosen(grasp: Grasp | Assembly, methods: Iterable[str] | None) -> list[str]:
     """Return the methods in the order of the table, the full model first."""
-    if isinstance(grasp, Assembly):
-        answering = DECIDING_ASSEMBLIES
-    else:
-        answering = DECIDING if grasp.dimension == 2 else DECIDING_IN_SPACE
+    answering = {PLANE: DECIDING, SPACE: DECIDING_IN_SPACE, BODIES: DECIDING_ASSEMBLIES}[
+        kind_of(grasp)
+    ]
     wanted = answering if methods is None else (answering[0], *methods)
     for name in wanted:
         if name not in answering:

@@ -20,7 +20,7 @@ from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.programs import Infeasible, Optimal, Row, feasible_point, minimize
 from arrangement.numbers.linear.rank import rank
 from equilibrium.core.contact_rows import friction_edges
-from equilibrium.methods.method import Accepting, Method, Outcome
+from equilibrium.methods.method import PLANE, SPACE, Accepting, Method, Outcome
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
@@ -107,5 +107,9 @@ def _decide(grasp: Grasp, _: RationalVector, pyramid: int | None = None) -> Outc
 
 
 FORM_CLOSURE = Method(
-    "form-closure", "form closure (Liu 1999)", "form closure", _decide, decide_in_space=_decide
+    "form-closure",
+    "form closure (Liu 1999)",
+    "form closure",
+    _decide,
+    kinds=(PLANE, SPACE),
 )

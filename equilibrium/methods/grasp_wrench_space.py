@@ -22,7 +22,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import product
 from math import gcd, sqrt
-from typing import Any, Literal
+from typing import Any
 
 from arrangement.console.number_form import number
 from arrangement.errors import OutOfReachError
@@ -37,49 +37,17 @@ from arrangement.numbers.exact import (
     shown,
 )
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
-from arrangement.numbers.linear.programs import (
-    Infeasible,
-    Optimal,
-    Row,
-    minimize,
-)
 from arrangement.numbers.linear.rank import cross
-from equilibrium.core.contact_rows import (
-    edge_directions,
-    friction_edges,
-    sum_row,
-    unit_row,
-)
+from equilibrium.core.contact_rows import edge_directions, friction_edges, sum_row
 from equilibrium.methods.force_closure import force_closure
-from equilibrium.methods.method import Accepting, Method, Outcome, cut
-from equilibrium.methods.round_cones import round_cones
-from equilibrium.methods.springs import Forces
+from equilibrium.methods.method import PLANE, SPACE, Method, Outcome, cut
+from equilibrium.methods.round_cones import ConeVerdict, Norm, round_cones, with_edges
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets.slice import polygon_cycle
 
-Norm = Literal["L1", "Linf"]
 #: In six dimensions the hull of more edges takes seconds and more.
 MAX_EDGES_IN_HULL = 16
-
-
-@dataclass(frozen=True)
-class WrenchSpaceVerdict(Accepting):
-    """Whether forces inside the cones can balance a wrench.
-
-    Attributes:
-        accepts: some multiple of the space holds the opposite wrench.
-        least_force: the least such multiple: the least sum (L1) or least maximum (Linf) of normal
-            forces, where it is asked for; None if refused.
-        forces: normal and tangential force at each contact that reach it; None if refused.
-        separating_motion: if refused, a motion d with ``w . d = 1`` along which no force inside
-            any cone does negative work.
-    """
-
-    accepts: bool
-    least_force: Fraction | None = None
-    forces: Forces | None = None
-    separating_motion: RationalVector | None = None
 
 
 @dataclass(frozen=True)
@@ -209,38 +177,14 @@ class GraspWrenchSpace:
             yield f"volume           {number(self.volume)}{cube}"
         yield f"facets           {len(self.facets)}"
 
-    def verdict(self, wrench: Iterable[Any]) -> WrenchSpaceVerdict:
-        """Return whether the method counts a wrench as resisted; one exact linear program."""
+    def verdict(self, wrench: Iterable[Any]) -> ConeVerdict:
+        """Return whether the method counts a wrench as resisted; one exact linear program.
+
+        Its `least_force` is the least multiple of the space that balances the wrench.
+        """
         load = self.grasp.total_load(self.grasp.read_wrench(wrench))
-        directions = [edge_directions(contact, self.pyramid) for contact in self.grasp]
-        columns = [edge for c in self.grasp for edge in friction_edges(c, self.pyramid)]
-        n, k = len(columns), len(directions[0]) if directions else 2
-        # Variables: a factor for each cone edge, then the bound on single normal forces.
-        rows = [unit_row(j, n + 1) for j in range(n + 1)]
-        if self.norm == "Linf":
-            rows += [
-                tuple(x - sum(column) for x, *column in zip(rows[n], *own, strict=True))
-                for group in self.grasp.groups
-                for own in [rows[k * group.start : k * group.stop]]
-            ]
-        balance: list[Row] = [
-            [*(c[i] for c in columns), Fraction(0), x] for i, x in enumerate(load)
-        ]
-        objective = [0] * n + [1] if self.norm == "Linf" else [1] * n + [0]
-        answer = minimize(objective, rows, balance)
-        if isinstance(answer, Optimal):
-            forces = tuple(
-                (
-                    sum(parts),
-                    *(contact.friction * dot(parts, axis) for axis in zip(*edges, strict=True)),
-                )
-                for contact, edges, j in zip(self.grasp, directions, range(0, n, k), strict=True)
-                for parts in [answer.point[j : j + k]]
-            )
-            return WrenchSpaceVerdict(True, answer.value, forces)
-        assert isinstance(answer, Infeasible)
-        motion = tuple(-z for z in answer.equality_multipliers)
-        return WrenchSpaceVerdict(False, separating_motion=motion)
+        edges = [edge_directions(contact, self.pyramid) for contact in self.grasp]
+        return with_edges(self.grasp, load, edges, self.norm)
 
     def slice(
         self,
@@ -290,23 +234,23 @@ def _hull(points: Iterable[RationalVector]) -> Polyhedron:
     return found
 
 
-def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int = 4) -> Outcome:
-    found = GraspWrenchSpace(grasp, pyramid=pyramid).verdict(wrench)
-    if found.least_force is None:
-        return False, "no forces inside the cones balance it"
-    return True, f"total normal force at least {number(found.least_force)}"
-
-
-def _decide_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) -> Outcome:
+def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int | None = None) -> Outcome:
     edges = pyramid or 4
-    accepts, remark = _decide(grasp, wrench, edges)
+    space = GraspWrenchSpace(grasp, pyramid=edges)
+    verdict = space.verdict(wrench)
+    accepts, remark = verdict.accepts, "no forces inside the cones balance it"
+    if verdict.least_force is not None:
+        remark = f"total normal force at least {number(verdict.least_force)}"
+    if grasp.dimension == 2:
+        return accepts, remark
     if edges * len(grasp) <= MAX_EDGES_IN_HULL:
-        remark += f"; epsilon {GraspWrenchSpace(grasp, pyramid=edges).epsilon:.4g}"
+        remark += f"; epsilon {space.epsilon:.4g}"
     remark = f"pyramids of {edges} edges: {remark}"
     if pyramid is not None:
         return accepts, remark
-    verdict = round_cones(grasp, wrench)
-    return verdict.accepts, f"{verdict.words}; {force_closure(grasp).words}; {remark}"
+    round_verdict = round_cones(grasp, wrench)
+    remark = f"{round_verdict.words}; {force_closure(grasp).words}; {remark}"
+    return round_verdict.accepts, remark
 
 
 #: Without a bound of the forces.
@@ -315,7 +259,7 @@ WRENCH_SPACE = Method(
     "Grasp Wrench Space (Ferrari, Canny 1992)",
     "wrench space, unbounded",
     _decide,
-    decide_in_space=_decide_in_space,
+    kinds=(PLANE, SPACE),
 )
 WRENCH_SPACE_L1 = Method(
     "wrench-space-L1",

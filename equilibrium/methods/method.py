@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 from arrangement.errors import OutOfReachError
-from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.polyhedron import Polyhedron
-from equilibrium.model.assembly import Assembly, Wrenches
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.wrench_sets.slice import FORCES, Region, region_of
 
 #: Whether a method accepts (None: it says nothing), and what the answer rests on.
 Outcome: TypeAlias = tuple[bool | None, str]
-Decide: TypeAlias = Callable[[Grasp, RationalVector], Outcome]
-#: The same in space, with edges of friction pyramids; None for round cones.
-DecideInSpace: TypeAlias = Callable[[Grasp, RationalVector, int | None], Outcome]
-#: The same for an assembly, with a wrench for each body.
-DecideAssembly: TypeAlias = Callable[[Assembly, Wrenches], Outcome]
+#: Decides a grasp and a wrench, in space with the edges of friction pyramids (None for round cones)
+#: besides; or an assembly and a wrench for each body.
+Decide: TypeAlias = Callable[..., Outcome]
 FindRegion: TypeAlias = Callable[[Grasp, Sequence[Iterable[Any]], Iterable[Any]], Region]
+#: What a method may decide.
+PLANE, SPACE, BODIES = "a grasp in the plane", "a grasp in space", "an assembly"
 
 
 class Accepting:
@@ -42,8 +41,7 @@ class Method:
         title, label: what it is; the same in a few words, for pictures.
         decide: its verdict on one wrench; None if it has only a region.
         find_region: the accepted wrenches of a plane; None if it has only verdicts.
-        decide_in_space: its verdict on a grasp in space; None if it knows the plane only.
-        decide_assembly: its verdict on an assembly; None if it knows one body only.
+        kinds: what it decides, of `PLANE`, `SPACE` and `BODIES`.
     """
 
     key: str
@@ -51,8 +49,7 @@ class Method:
     label: str
     decide: Decide | None = None
     find_region: FindRegion | None = None
-    decide_in_space: DecideInSpace | None = None
-    decide_assembly: DecideAssembly | None = None
+    kinds: Collection[str] = (PLANE,)
 
     def outcome(self, grasp: Grasp | Assembly, wrench: Any, pyramid: int | None = None) -> Outcome:
         """Return the verdict on one wrench, with what it rests on.
@@ -60,17 +57,13 @@ class Method:
         Args:
             pyramid: in space, edges of friction pyramids in place of the round cones.
         """
+        kind = kind_of(grasp)
+        if self.decide is None or kind not in self.kinds:
+            return None, "no verdict on one wrench" + " in space" * (kind == SPACE)
         try:
-            if isinstance(grasp, Assembly):
-                assert self.decide_assembly is not None
-                return self.decide_assembly(grasp, wrench)
-            if grasp.dimension == 2 and self.decide:
-                return self.decide(grasp, wrench)
-            if grasp.dimension == 3 and self.decide_in_space:
-                return self.decide_in_space(grasp, wrench, pyramid)
+            return self.decide(grasp, wrench, *([pyramid] if kind == SPACE else []))
         except OutOfReachError as error:
             return None, f"not tried: {error}"
-        return None, "no verdict on one wrench" + " in space" * (grasp.dimension == 3)
 
     def region(
         self,
@@ -87,6 +80,13 @@ class Method:
         if self.find_region is None:
             raise GraspError(f"the method {self.key} has verdicts on single wrenches, no region")
         return self.find_region(grasp, spans, origin)
+
+
+def kind_of(subject: Grasp | Assembly) -> str:
+    """Return what a subject is: `PLANE`, `SPACE` or `BODIES`."""
+    if isinstance(subject, Assembly):
+        return BODIES
+    return PLANE if subject.dimension == 2 else SPACE
 
 
 def cut(shapes: Callable[[Grasp], Iterable[Polyhedron | None]]) -> FindRegion:

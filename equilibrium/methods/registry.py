@@ -14,7 +14,7 @@ from equilibrium.methods.grasp_wrench_space import (
     WRENCH_SPACE_L1,
     WRENCH_SPACE_LINF,
 )
-from equilibrium.methods.method import Method, Outcome
+from equilibrium.methods.method import BODIES, PLANE, SPACE, Method, Outcome
 from equilibrium.methods.springs import FRICTIONLESS_SLIP, LINEAR_COMPLIANCE
 from equilibrium.methods.weak_strong import FRICTIONLESS, STRONG, WEAK
 from equilibrium.model.assembly import Assembly, Wrenches
@@ -25,20 +25,20 @@ from equilibrium.model.labels import equilibria_words
 from equilibrium.wrench_sets.slice import resisted_region
 
 
-def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int | None = None) -> Outcome:
-    found = solve(grasp, wrench, pyramid=pyramid)
-    if not found.decided:
-        return None, f"undecided: {found.reason}"
-    if grasp.dimension == 3:
-        return found.stable, f"{pyramid_words(pyramid) or 'round cones'}, proved"
-    if not found.lists_all():
+def _decide(
+    subject: Grasp | Assembly, load: RationalVector | Wrenches, pyramid: int | None = None
+) -> Outcome:
+    verdict = solve(subject, load, pyramid=pyramid)
+    if isinstance(subject, Assembly):
+        reason = verdict.reason or "an equilibrium was found"
+        return (verdict.stable if verdict.decided else None), reason
+    if not verdict.decided:
+        return None, f"undecided: {verdict.reason}"
+    if subject.dimension == 3:
+        return verdict.stable, f"{pyramid_words(pyramid) or 'round cones'}, proved"
+    if not verdict.lists_all():
         return True, "an equilibrium was found"
-    return found.stable, equilibria_words(found.equilibria)
-
-
-def _decide_assembly(assembly: Assembly, wrenches: Wrenches) -> Outcome:
-    found = solve(assembly, wrenches)
-    return (found.stable if found.decided else None), found.reason or "an equilibrium was found"
+    return verdict.stable, equilibria_words(verdict.equilibria)
 
 
 COMPLETE = Method(
@@ -47,8 +47,7 @@ COMPLETE = Method(
     "full model",
     _decide,
     resisted_region,
-    decide_in_space=_decide,
-    decide_assembly=_decide_assembly,
+    (PLANE, SPACE, BODIES),
 )
 
 
@@ -80,12 +79,9 @@ METHODS: dict[str, Method] = {
 }
 #: The keys of the methods that have a verdict on a single wrench in the plane, in space and on an
 #: assembly, and of those with a region.
-DECIDING = tuple(key for key, method in METHODS.items() if method.decide is not None)
-DECIDING_IN_SPACE = tuple(
-    key for key, method in METHODS.items() if method.decide_in_space is not None
-)
-DECIDING_ASSEMBLIES = tuple(
-    key for key, method in METHODS.items() if method.decide_assembly is not None
+DECIDING, DECIDING_IN_SPACE, DECIDING_ASSEMBLIES = (
+    tuple(key for key, method in METHODS.items() if method.decide and kind in method.kinds)
+    for kind in (PLANE, SPACE, BODIES)
 )
 WITH_REGION = tuple(key for key, method in METHODS.items() if method.find_region is not None)
 

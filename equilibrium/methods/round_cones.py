@@ -14,16 +14,25 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
-from typing import Any
+from typing import Any, Literal, TypeAlias
 
 from arrangement.numbers.exact import RationalVector, dot
-from arrangement.numbers.linear.programs import Infeasible, Row, feasible_point
+from arrangement.numbers.linear.programs import (
+    Infeasible,
+    Optimal,
+    Row,
+    Unbounded,
+    feasible_point,
+    minimize,
+)
 from equilibrium.core.contact_rows import cone_edge, edge_directions, unit_row
 from equilibrium.methods.method import Accepting
 from equilibrium.methods.springs import Forces
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.grasp import Grasp
 
+#: What is least of the normal forces: their sum, or the largest of them.
+Norm: TypeAlias = Literal["L1", "Linf"]
 #: Edges of the pyramids, tried in this order.
 PYRAMIDS = (4, 8, 16, 32)
 
@@ -37,11 +46,14 @@ class ConeVerdict(Accepting):
         forces: (normal, along the tangents) at each contact that do.
         separating_motion: if none do, a motion d with ``w . d > 0`` along which no force inside
             any cone does negative work.
+        least_force: the least sum (L1) or least maximum (Linf) of normal forces that do, where a
+            norm was stated.
     """
 
     accepts: bool | None
     forces: Forces | None = None
     separating_motion: RationalVector | None = None
+    least_force: Fraction | None = None
 
     @property
     def words(self) -> str:
@@ -67,11 +79,11 @@ def round_cones(grasp: Grasp, wrench: Iterable[Any]) -> ConeVerdict:
 def balanced(grasp: Grasp, load: RationalVector) -> ConeVerdict:
     """Decide for all that forces inside the cones have to balance, with the pull of adhesion."""
     for pyramid in PYRAMIDS:
-        inside = _with_edges(grasp, load, [edge_directions(c, pyramid) for c in grasp])
+        inside = with_edges(grasp, load, [edge_directions(c, pyramid) for c in grasp])
         motion = inside.separating_motion
         if motion is None or _gains(grasp, load, motion):
             return inside
-        around = _with_edges(grasp, load, [_corners(pyramid)] * len(grasp))
+        around = with_edges(grasp, load, [_corners(pyramid)] * len(grasp))
         if not around.accepts:
             return around
     return ConeVerdict(None)
@@ -92,23 +104,42 @@ def _gains(grasp: Grasp, load: RationalVector, motion: RationalVector) -> bool:
     )
 
 
-def _with_edges(
-    grasp: Grasp, load: RationalVector, edges: Sequence[Sequence[RationalVector]]
+def with_edges(
+    grasp: Grasp,
+    load: RationalVector,
+    edges: Sequence[Sequence[RationalVector]],
+    norm: Norm | None = None,
 ) -> ConeVerdict:
-    """Decide for polyhedral cones with edges along these directions, in the frames of tangents."""
+    """Decide for polyhedral cones with edges along these directions, in the frames of tangents.
+
+    Args:
+        norm: what the forces make least; if omitted, some forces are returned.
+    """
     columns = [cone_edge(c, x) for c, along in zip(grasp, edges, strict=True) for x in along]
-    n = len(columns)
-    balance: list[Row] = [[*(column[i] for column in columns), x] for i, x in enumerate(load)]
-    found = feasible_point(n, [unit_row(j, n) for j in range(n)], balance)
+    # Variables: a factor for each cone edge, then the bound on single normal forces, if one.
+    bounds = [Fraction(0)] * (norm == "Linf")
+    n = len(columns) + len(bounds)
+    rows = [unit_row(j, n) for j in range(n)]
+    balance: list[Row] = [
+        [*(column[i] for column in columns), *bounds, x] for i, x in enumerate(load)
+    ]
+    if bounds:
+        owner = [i for i, group in enumerate(grasp.groups) for k in group for _ in edges[k]]
+        for i in range(len(grasp.groups)):
+            rows.append((*(Fraction(-(k == i)) for k in owner), Fraction(1), Fraction(0)))
+    objective = [0] * len(columns) + [1] if bounds else [1] * n
+    found = minimize(objective, rows, balance) if norm else feasible_point(n, rows, balance)
+    assert not isinstance(found, Unbounded)
     if isinstance(found, Infeasible):
         motion = tuple(-x for x in found.equality_multipliers)
         return ConeVerdict(False, separating_motion=motion)
-    parts, forces = iter(found), []
+    point, least = (found.point, found.value) if isinstance(found, Optimal) else (found, None)
+    parts, forces = iter(point), []
     for contact, along in zip(grasp, edges, strict=True):
         sizes = [next(parts) for _ in along]
         friction = (contact.friction * dot(sizes, axis) for axis in zip(*along, strict=True))
         forces.append((sum(sizes, Fraction(0)), *friction))
-    return ConeVerdict(True, tuple(forces))
+    return ConeVerdict(True, tuple(forces), least_force=least)
 
 
 @cache

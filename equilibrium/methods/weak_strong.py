@@ -43,7 +43,7 @@ from equilibrium.core.contact_rows import (
     sum_row,
     unit_row,
 )
-from equilibrium.methods.method import Method, Outcome, cut
+from equilibrium.methods.method import BODIES, PLANE, SPACE, Method, Outcome, cut
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.errors import GraspError
@@ -194,28 +194,22 @@ def _nonzero_solution(
     return None
 
 
-def _decide_weak(grasp: Grasp, wrench: RationalVector) -> Outcome:
-    return GraspWrenchSpace(grasp).verdict(wrench).accepts, "forces inside the cones exist"
+def _decide_weak(
+    subject: Grasp | Assembly, load: RationalVector | Wrenches, pyramid: int | None = None
+) -> Outcome:
+    if isinstance(subject, Assembly):
+        held = _balances(subject, load)
+        return held, f"rigid bodies: {'' if held else 'no '}forces inside the cones balance"
+    if subject.dimension == 2:
+        return GraspWrenchSpace(subject).verdict(load).accepts, "forces inside the cones exist"
+    if pyramid is None:
+        verdict = round_cones(subject, load)
+        return verdict.accepts, verdict.words
+    held = bool(GraspWrenchSpace(subject, pyramid=pyramid).verdict(load))
+    return held, f"{'' if held else 'no '}forces inside {pyramid_words(pyramid)}"
 
 
-def _decide_weak_in_space(grasp: Grasp, wrench: RationalVector, pyramid: int | None) -> Outcome:
-    if pyramid is not None:
-        held = GraspWrenchSpace(grasp, pyramid=pyramid).verdict(wrench).accepts
-        return held, f"{'' if held else 'no '}forces inside {pyramid_words(pyramid)}"
-    verdict = round_cones(grasp, wrench)
-    return verdict.accepts, verdict.words
-
-
-def _decide_weak_assembly(assembly: Assembly, wrenches: Wrenches) -> Outcome:
-    held = _balances(assembly, wrenches)
-    return held, f"rigid bodies: {'' if held else 'no '}forces inside the cones balance"
-
-
-def _decide_frictionless_assembly(assembly: Assembly, wrenches: Wrenches) -> Outcome:
-    return _balances(assembly.with_friction(0), wrenches), "rigid bodies: normal forces alone"
-
-
-def _balances(assembly: Assembly, wrenches: Wrenches) -> bool:
+def _balances(assembly: Assembly, wrenches: Any) -> bool:
     from equilibrium.decide.assemblies.rigid import rigid_forces
 
     return rigid_forces(assembly, wrenches) is not None
@@ -229,10 +223,13 @@ def _decide_strong(grasp: Grasp, wrench: RationalVector) -> Outcome:
 
 
 def _decide_frictionless(
-    grasp: Grasp, wrench: RationalVector, pyramid: int | None = None
+    subject: Grasp | Assembly, load: RationalVector | Wrenches, pyramid: int | None = None
 ) -> Outcome:
     del pyramid
-    return GraspWrenchSpace(grasp.with_friction(0)).verdict(wrench).accepts, "normal forces alone"
+    smooth = subject.with_friction(0)
+    if isinstance(smooth, Assembly):
+        return _balances(smooth, load), "rigid bodies: normal forces alone"
+    return GraspWrenchSpace(smooth).verdict(load).accepts, "normal forces alone"
 
 
 def _balanced(grasp: Grasp, forces: Iterable[RationalVector]) -> Iterator[Polyhedron | None]:
@@ -248,8 +245,7 @@ WEAK = Method(
     "weakly stable",
     _decide_weak,
     cut(lambda grasp: _balanced(grasp, (edge for c in grasp for edge in friction_edges(c)))),
-    decide_in_space=_decide_weak_in_space,
-    decide_assembly=_decide_weak_assembly,
+    (PLANE, SPACE, BODIES),
 )
 STRONG = Method("strong", "strongly stable (Pang, Trinkle 2000)", "strongly stable", _decide_strong)
 FRICTIONLESS = Method(
@@ -258,6 +254,5 @@ FRICTIONLESS = Method(
     "frictionless stable",
     _decide_frictionless,
     cut(lambda grasp: _balanced(grasp, (c.normal_wrench for c in grasp))),
-    decide_in_space=_decide_frictionless,
-    decide_assembly=_decide_frictionless_assembly,
+    (PLANE, SPACE, BODIES),
 )
