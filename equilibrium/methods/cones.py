@@ -11,7 +11,6 @@ normal planes ``stiffness N . d = preload`` cover all motions with one linear pr
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -20,31 +19,14 @@ from arrangement.console.number_form import counted
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.polyhedron import Polyhedron
-from arrangement.numbers.linear.programs import some_point
-from equilibrium.core.contact_rows import Pair, balance_rows, negated, normal_force_row, unit_row
-from equilibrium.methods.method import Accepting, Method, Outcome, cut
-from equilibrium.methods.springs import Forces, force_rows, forces_at
+from equilibrium.core.contact_rows import Pair, negated, normal_force_row, unit_row
+from equilibrium.methods.method import Method, Outcome, cut
+from equilibrium.methods.springs import StatesVerdict, first_balanced, force_rows
 from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.wrench_sets.polyhedra import StateImages
 
 
-@dataclass(frozen=True)
-class ConesVerdict(Accepting):
-    """Whether some motion and friction inside the cones balance a wrench.
-
-    Attributes:
-        accepts: they exist.
-        motion, forces: an example, else None.
-        tried: how many choices of attached contacts were looked at.
-    """
-
-    accepts: bool
-    motion: RationalVector | None
-    forces: Forces | None
-    tried: int
-
-
-def cones(grasp: Grasp, wrench: Iterable[Any], *, printed: bool = False) -> ConesVerdict:
+def cones(grasp: Grasp, wrench: Iterable[Any], *, printed: bool = False) -> StatesVerdict:
     """Decide exactly whether springs and cones, without dissipation, can balance a wrench.
 
     Args:
@@ -55,19 +37,14 @@ def cones(grasp: Grasp, wrench: Iterable[Any], *, printed: bool = False) -> Cone
     Complexity: one linear program in 3 + m variables for each region, of which m planes have
     O(m^3); one in all if `printed`.
     """
-    applied = read_wrench(wrench)
-    tried, n = 0, 3 + len(grasp)
+    applied, n = read_wrench(wrench), 3 + len(grasp)
     budget.check_cost(f"a linear program in {n} variables", "leave out contacts", steps=1.5 * n**3)
-    choices = [(True,) * len(grasp)] if printed else _attached_choices(grasp)
-    for tried, attached in enumerate(choices, 1):
-        pairs, rows = _program(grasp, attached)
-        point = some_point(n, rows, balance_rows(grasp, pairs, applied, n)[0])
-        if point is not None:
-            return ConesVerdict(True, point[:3], forces_at(pairs, point), tried)
-    return ConesVerdict(False, None, None, tried)
+    every = [("attached",) * len(grasp)] if printed else _states(grasp)
+    choices = ((states, *_program(grasp, states)) for states in every)
+    return first_balanced(grasp, applied, choices, n)
 
 
-def _attached_choices(grasp: Grasp) -> Iterator[tuple[bool, ...]]:
+def _states(grasp: Grasp) -> Iterator[tuple[str, ...]]:
     """Yield which contacts are attached, for every region of the normal planes."""
     springs = [contact for contact in grasp if contact.stiffness]
     planes = Arrangement(
@@ -77,17 +54,18 @@ def _attached_choices(grasp: Grasp) -> Iterator[tuple[bool, ...]]:
     )
     for region in planes.regions():
         signs = iter(region.signs)
-        yield tuple(not contact.stiffness or next(signs) < 0 for contact in grasp)
+        touches = (not contact.stiffness or next(signs) < 0 for contact in grasp)
+        yield tuple("attached" if touch else "detached" for touch in touches)
 
 
-def _program(grasp: Grasp, attached: Sequence[bool]) -> tuple[list[Pair], list[RationalVector]]:
+def _program(grasp: Grasp, states: Sequence[str]) -> tuple[list[Pair], list[RationalVector]]:
     """Return forces and conditions as rows in the motion and a friction force a contact."""
     n = 3 + len(grasp)
     pairs: list[Pair] = []
     rows: list[RationalVector] = []
-    for column, (contact, touches) in enumerate(zip(grasp, attached, strict=True), 3):
+    for column, (contact, state) in enumerate(zip(grasp, states, strict=True), 3):
         normal, friction = normal_force_row(contact, n), unit_row(column, n)
-        if touches:
+        if state == "attached":
             pairs.append((normal, friction))
             rows += force_rows(contact, pairs[-1])
         else:
@@ -97,16 +75,14 @@ def _program(grasp: Grasp, attached: Sequence[bool]) -> tuple[list[Pair], list[R
 
 
 def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:
-    found = cones(grasp, wrench)
-    return found.accepts, f"{counted(found.tried, 'choice')} of attached contacts tried"
+    verdict = cones(grasp, wrench)
+    return verdict.accepts, f"{counted(verdict.tried, 'choice')} of attached contacts tried"
 
 
 @cut
 def _region(grasp: Grasp) -> Iterator[Polyhedron | None]:
     """Yield one polyhedron for each choice of attached contacts."""
-    images = StateImages(grasp)
-    for choice in _attached_choices(grasp):
-        yield images.resisted_with(["attached" if touches else "detached" for touches in choice])
+    return map(StateImages(grasp).resisted_with, _states(grasp))
 
 
 CONES = Method(

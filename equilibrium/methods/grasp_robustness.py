@@ -22,14 +22,13 @@ from itertools import product
 
 import numpy as np
 
-from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 
 from .method import Method, Outcome
-from .springs import STATES, balancing_friction
+from .springs import STATES, balancing_friction, check_states
 
 Matrix = tuple[RationalVector, ...]
 
@@ -102,9 +101,7 @@ def grasp_robustness(grasp: Grasp) -> RobustnessBound | None:
         OutOfReachError: too many contacts for all 3^m choices.
     """
     grasp.require_plane()
-    budget.check_cost(
-        f"three states of each of {len(grasp)} contacts", steps=10_000 * budget.power(3, len(grasp))
-    )
+    check_states(grasp)
     return max(_bounds(grasp), key=lambda bound: bound.value, default=None)
 
 

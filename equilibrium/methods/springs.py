@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
-from typing import Any, Literal, TypeAlias
+from typing import Any, TypeAlias
 
 from arrangement.numbers import budget
 from arrangement.numbers.exact import (
@@ -196,30 +196,48 @@ LINEAR_COMPLIANCE = Method(
 
 
 _ZERO: RationalVector = (Fraction(0),) * 4
-State = Literal["stick", "slip", "detached"]
-STATES: tuple[State, ...] = ("stick", "slip", "detached")
+#: What `frictionless_slip` lets a contact do.
+STATES = ("stick", "slip", "detached")
+#: Contact states; forces and conditions that are linear in the motion and what else is unknown.
+Choice: TypeAlias = tuple[tuple[str, ...], Sequence[Pair], Sequence[RationalVector]]
 
 
 @dataclass(frozen=True)
-class FrictionlessSlipVerdict(Accepting):
-    """Whether some choice of states has legal forces.
+class StatesVerdict(Accepting):
+    """Whether some choice of contact states has legal forces that balance a wrench.
 
     Attributes:
         accepts: one does.
-        states, motion, forces: of the first that does, in the order of `STATES`; else None.
-        tried: how many choices were looked at (all 3^m when the method refuses).
+        states, motion, forces: of the first that does; else None.
+        tried: how many choices were looked at, all when the method refuses.
     """
 
     accepts: bool
-    states: tuple[State, ...] | None
+    states: tuple[str, ...] | None
     motion: RationalVector | None
     forces: Forces | None
     tried: int
 
 
+def first_balanced(
+    grasp: Grasp, wrench: RationalVector, choices: Iterable[Choice], n: int = 3
+) -> StatesVerdict:
+    """Return the first choice whose forces balance a wrench, by one exact program for each.
+
+    Args:
+        n: the number of unknowns, the motion first.
+    """
+    tried = 0
+    for tried, (states, pairs, rows) in enumerate(choices, 1):
+        point = some_point(n, rows, balance_rows(grasp, pairs, wrench, n)[0])
+        if point is not None:
+            return StatesVerdict(True, states, point[:3], forces_at(pairs, point), tried)
+    return StatesVerdict(False, None, None, None, tried)
+
+
 def frictionless_slip(
     grasp: Grasp, wrench: RationalVector, springs: list[Pair] | None = None
-) -> FrictionlessSlipVerdict:
+) -> StatesVerdict:
     """Decide by trying all 3^m choices of states, each exactly.
 
     Each contact is in one of three states ([Prattichizzo1997]). Stick: linear springs in both
@@ -234,55 +252,43 @@ def frictionless_slip(
         OutOfReachError: too many contacts.
     """
     budget.check_size(len(grasp), "contacts with a choice of three states")
-    springs = springs or springs_of(grasp)
-    tried = 0
-    for tried, states in enumerate(product(STATES, repeat=len(grasp)), 1):
-        forces, rows = _forces_in(states, springs), _legal_rows(grasp, states, springs)
-        motion = some_point(3, list(rows), balance_rows(grasp, forces, wrench)[0])
-        if motion is not None:
-            found = forces_at(forces, motion)
-            return FrictionlessSlipVerdict(True, states, motion, found, tried)
-    return FrictionlessSlipVerdict(False, None, None, None, tried)
+    return first_balanced(grasp, wrench, _choices(grasp, springs or springs_of(grasp)))
 
 
-def _forces_in(states: tuple[State, ...], springs: list[Pair]) -> list[Pair]:
-    return [
-        (_ZERO if state == "detached" else normal, tangential if state == "stick" else _ZERO)
-        for state, (normal, tangential) in zip(states, springs, strict=True)
-    ]
+def _choices(grasp: Grasp, springs: list[Pair]) -> Iterator[Choice]:
+    for states in product(STATES, repeat=len(grasp)):
+        pairs, rows = list[Pair](), list[RationalVector]()
+        for contact, state, (normal, tangential) in zip(grasp, states, springs, strict=True):
+            if state == "detached":
+                pairs.append((_ZERO, _ZERO))
+                rows.append(negated(normal))
+            elif state == "slip":
+                pairs.append((normal, _ZERO))
+                rows.append(normal)
+            else:
+                pairs.append((normal, tangential))
+                rows += force_rows(contact, pairs[-1])
+        yield states, pairs, rows
 
 
-def _legal_rows(
-    grasp: Grasp, states: tuple[State, ...], springs: list[Pair]
-) -> Iterator[RationalVector]:
-    """Yield the conditions that make the forces of the states legal."""
-    for contact, state, pair in zip(grasp, states, springs, strict=True):
-        if state == "stick":
-            yield from force_rows(contact, pair)
-        elif state == "slip":
-            yield pair[0]
-        else:
-            yield negated(pair[0])
-
-
-def _check_cost(grasp: Grasp) -> None:
+def check_states(grasp: Grasp) -> None:
+    """Refuse more contacts than can have all choices of three states."""
     budget.check_cost(
         f"three states of each of {len(grasp)} contacts", steps=10_000 * budget.power(3, len(grasp))
     )
 
 
 def _decide_frictionless(grasp: Grasp, wrench: RationalVector) -> Outcome:
-    _check_cost(grasp)
+    check_states(grasp)
     return _with_usual_springs(frictionless_slip)(grasp, wrench)
 
 
 @cut
 def _frictionless_region(grasp: Grasp) -> Iterator[Polyhedron | None]:
-    _check_cost(grasp)
+    check_states(grasp)
     springs, _ = usual_springs(grasp)
-    for states in product(STATES, repeat=len(grasp)):
-        forces, rows = _forces_in(states, springs), _legal_rows(grasp, states, springs)
-        yield balanced_wrenches(grasp, forces, rows)
+    for _, pairs, rows in _choices(grasp, springs):
+        yield balanced_wrenches(grasp, pairs, rows)
 
 
 FRICTIONLESS_SLIP = Method(
