@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 from arrangement.console import terminal
 from arrangement.console.colours import print_verdict
 from arrangement.console.options import values
+from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown, to_text
 from equilibrium.model.errors import GraspError
@@ -27,6 +28,9 @@ _SPANNING = ("fx", "fy", "tau")
 
 #: More incidences than this that rounding kept are only counted.
 _MOST_KEPT = 6
+
+#: In an error, what may be a letter in place of a number.
+_WITH_LETTER = re.compile(r" is '[^A-Za-z' ]*[A-Za-z][^A-Za-z' ]*', which is not an exact number")
 
 #: Keys of documents that have units.
 _STATING = {"grasp", "assembly"}
@@ -225,6 +229,17 @@ def add_on_body(
     ways.add_argument(name, nargs=4, action=_OnBody, metavar=("BODY", *_AXES), help=text)
 
 
+def contact_number(text: str) -> int:
+    """Read the number of a contact."""
+    try:
+        return values.count_argument(text)
+    except argparse.ArgumentTypeError:
+        raise argparse.ArgumentTypeError(
+            f"{shown(text)} is not the number of a contact; write numbers from 1 on, such as 1 2. "
+            "Their friction and preload stand in the file"
+        ) from None
+
+
 def spanning_wrench(text: str) -> tuple[Fraction, ...]:
     """Read one of the wrenches that span a plane: fx, fy, tau, or three numbers as 1,0,0."""
     if text in _SPANNING:
@@ -267,9 +282,14 @@ def read(arguments: argparse.Namespace) -> Grasp:
     """Return the grasp as its source has it; on stderr say what had to be rounded."""
     from equilibrium.grasps.inputs import read_any
 
-    conversion = read_any(
-        arguments.grasp, round_normals=arguments.round_normals, as_given=arguments.as_given
-    )
+    try:
+        conversion = read_any(
+            arguments.grasp, round_normals=arguments.round_normals, as_given=arguments.as_given
+        )
+    except InputError as error:
+        if _WITH_LETTER.search(str(error)):
+            raise GraspError(f"{error}. A letter is for `resisted --parameter t=0..1`") from None
+        raise
     tell_rounding(conversion)
     arguments.remarks = conversion.remarks
     # In space proofs are long, and of converted data many roundings are asked.

@@ -426,6 +426,8 @@ def read_wrench(values: Iterable[Any], dimension: int = 2) -> RationalVector:
         raise GraspError(
             f"wrench has {entries}; a grasp in {_PLACES[dimension]} takes "
             f"{WRENCH_SIZES[dimension]}: {_FORCES[dimension]}"
+            + " (decimals have a point)"
+            * (WRENCH_SIZES[dimension] < len(wrench))
         )
     return wrench
 

@@ -58,6 +58,16 @@ def test_other_words_are_answered_with_the_name(capsys):
         assert capsys.readouterr().err.startswith(answer)
 
 
+def test_unknown_option_is_answered_with_what_there_is(capsys):
+    assert refused(["--jbos", "3"], capsys).startswith(
+        "error: unknown option '--jbos'; did you mean --jobs? ("
+    )
+    assert refused(["--stones", "3"], capsys).startswith(
+        "error: unknown option '--stones'; expected one of --output, --jobs, --wrench, --literal ("
+    )
+    assert refused(["there"], capsys).startswith("error: unexpected argument 'there' (")
+
+
 def test_help_lists_commands_under_their_headings():
     parser = terminal.command_parser("demo", "A demonstration.")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")

@@ -110,7 +110,8 @@ class TestValues:
 
     @pytest.mark.parametrize("length", [0, 2, 4, 5, 7])
     def test_a_wrench_of_the_wrong_length_names_the_right_one(self, length):
-        with pytest.raises(GraspError, match=r"in the plane takes 3: f_x, f_y and tau$"):
+        end = r" \(decimals have a point\)$" if length > 3 else "$"
+        with pytest.raises(GraspError, match=f"in the plane takes 3: f_x, f_y and tau{end}"):
             read_wrench([0] * length)
         with pytest.raises(GraspError, match=r"in space takes 6: f_x, f_y, f_z, tau_x, tau_y and"):
             read_wrench([0] * length, 3)

@@ -451,6 +451,7 @@ FINGERS = parse_csv(PLAIN).grasp
         "x [m],y [m],normal [deg],mu,preload [N]",
         "x (m), y (m), normal (deg), friction, Q [N]",
         "x_m,y_m,angle_deg,cof,force_N",
+        "x in m,y in m,angle in deg,mu,q in N",
         "pos_x [m],pos_y [m],theta [°],Coefficient of friction [-],Normal force [N]",
     ],
 )
@@ -480,7 +481,10 @@ def test_csv_numbers_may_have_decimal_commas(separator):
 def test_csv_heads_that_do_not_fit_are_named(head, message):
     text = f"{head}\n-1.5,0,0,0.5,1\n"
     if message is None:
-        assert parse_csv(text).grasp.units is None
+        made = parse_csv(text)
+        assert made.grasp.units is None
+        assert made.remarks[-1].startswith("only the unit of length is stated, m, so answers have")
+        assert parse_csv(PLAIN).remarks == ()
         head, message = f"{head},q [N]", "expected N/m, as the others"
         text = f"{head}\n-1.5,0,0,0.5,1,1\n"
     with pytest.raises(GraspError, match=message):

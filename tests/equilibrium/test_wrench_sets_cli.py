@@ -1,5 +1,6 @@
 import json
 import re
+import sys
 from fractions import Fraction
 from pathlib import Path
 
@@ -359,3 +360,54 @@ def test_reprs_of_verdicts_on_rounded_data_say_so(tmp_path):
     bodies = Assembly.of_grasp(grasp)
     for verdict in (solve(grasp, (0, -1, 0)), solve(bodies, {"object": (0, -1, 0)})):
         assert "Verdict: not resisted for the data as rounded, " in repr(verdict)
+
+
+TABLE = "x,y,nx,ny,friction,preload\n-1,0,1,0,{f},1\n1,0,-1,0,{f},1\n"
+
+
+def refused(capsys, *argv) -> str:
+    with pytest.raises(SystemExit) as stopped:
+        sys.exit(main([*argv]))
+    assert stopped.value.code == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+    return err
+
+
+def test_numbers_of_contacts_may_have_commas(tmp_path, capsys):
+    path = tmp_path / "two.csv"
+    path.write_text(TABLE.format(f="1/4"))
+    words = ["resisted", str(path), "--wrench", "0", "-1", "0", "--friction"]
+    plain = answer(capsys, *words, "1", "2")
+    assert plain[0] == 0
+    assert answer(capsys, *words, "1,2") == answer(capsys, *words, "1, 2") == plain
+
+
+@pytest.mark.parametrize("value", ["0.3", "all", "t"])
+def test_friction_that_is_no_contact_is_explained(value, capsys):
+    err = refused(capsys, "resisted", THREE, "--friction", value, "--wrench", "0", "1", "0")
+    assert f"'{value}' is not the number of a contact; write numbers from 1 on" in err
+
+
+def test_missing_values_and_lost_numbers_are_named(capsys):
+    assert "expected 2 arguments: X Y" in refused(capsys, "resisted", THREE, "--best-direction")
+    assert "; write --wrench F_X F_Y TAU" in refused(capsys, "solve", THREE, "0,-1,0")
+    err = refused(capsys, "solve", THREE, "--wrench", "0,5", "-1", "0")
+    assert "(decimals have a point)" in err
+    assert "one of --output, --voussoirs" in refused(capsys, "make", "arch", "--stones", "5")
+
+
+@pytest.mark.parametrize("command", ["solve", "resisted", "info", "draw"])
+@pytest.mark.parametrize("ending", ["csv", "json"])
+def test_letter_in_the_data_is_referred_to_its_option(command, ending, tmp_path, capsys):
+    path = tmp_path / f"letter.{ending}"
+    path.write_text(TABLE.format(f="2*t"))
+    if ending == "json":
+        entry = {"point": [0, 0], "normal": [1, 0], "friction": "t"}
+        path.write_text(json.dumps({"schema_version": 1, "contacts": [entry]}))
+    options = {"info": [], "draw": ["-o", str(tmp_path / "a.svg")]}
+    words = options.get(command, ["--wrench", "0", "-1", "0"])
+    assert "`resisted --parameter t=0..1`" in refused(capsys, command, str(path), *words)
+    path = tmp_path / "unit.csv"
+    path.write_text(TABLE.format(f="1 N"))
+    assert "--parameter" not in refused(capsys, command, str(path), *words)

@@ -28,6 +28,10 @@ from arrangement.numbers.exact import shown
 from .values import MAX_COUNT, rational_argument
 
 _BAD_INPUT = 2
+#: Options of all commands, which no misspelt one is answered with.
+_EVERYWHERE = {"help", "json", "limit", "traceback", "exact", "digits"}
+#: Options that are listed where one is unknown, and how alike one is that is meant.
+_FEW, _ALIKE = 8, 0.7
 _NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
 _NUMBER = re.compile(r"[+-]?\.?[0-9]")
 
@@ -128,6 +132,14 @@ class Parser(argparse.ArgumentParser):
             self._seen.append(action)
         return super()._get_values(action, arg_strings)
 
+    def _match_argument(self, action: argparse.Action, arg_strings_pattern: str) -> int:
+        """Name the values that an option takes where they are missing."""
+        try:
+            return super()._match_argument(action, arg_strings_pattern)
+        except argparse.ArgumentError as error:
+            values = self._get_formatter()._format_args(action, action.dest.upper())
+            raise argparse.ArgumentError(action, f"{error.message}: {values}") from None
+
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         """Name the nearest choices of a misspelt one."""
         if action.choices is not None and value not in action.choices:
@@ -146,8 +158,18 @@ class Parser(argparse.ArgumentParser):
         for pattern, use in self.strays.items():
             if re.fullmatch(pattern, word):
                 return f"unexpected argument {shown(word)}; write {use}"
-        kind = "unknown option" if word.startswith("-") else "unexpected argument"
-        return f"{kind} {shown(word)}{_suggestion(word, self._option_string_actions)}"
+        if not word.startswith("-"):
+            return f"unexpected argument {shown(word)}"
+        own = [
+            action.option_strings[-1]
+            for action in self._actions
+            if action.option_strings and action.dest not in _EVERYWHERE
+        ]
+        few = f"; expected one of {', '.join(own)}" if 0 < len(own) <= _FEW else ""
+        near = _suggestion(
+            name.lstrip("-"), [x.lstrip("-") for x in self._option_string_actions], "--", _ALIKE
+        )
+        return f"unknown option {shown(word)}{near or few}"
 
     def format_help(self) -> str:
         """Return the help; a program with headings lists its commands under them."""
@@ -182,7 +204,7 @@ class Parser(argparse.ArgumentParser):
 
 def _numbers_after(option: argparse.Action) -> int:
     """Return how many numbers an option takes at most."""
-    if option.nargs == "+" and option.type is rational_argument:
+    if option.nargs == "+" and option.type is not None:
         return MAX_COUNT
     numbers = isinstance(option.nargs, int) and option.type in (None, rational_argument)
     return option.nargs if numbers else 0  # type: ignore[return-value]
@@ -194,8 +216,8 @@ def _numbers(words: Sequence[str]) -> int:
     return sum(1 for _ in takewhile(re.compile(r"[-+]?[.]?[0-9]").match, parts))
 
 
-def _suggestion(word: str, known: Iterable[str]) -> str:
-    near = get_close_matches(word, known, 3)
+def _suggestion(word: str, known: Iterable[str], before: str = "", alike: float = 0.6) -> str:
+    near = [before + name for name in get_close_matches(word, known, 3, alike)]
     return f"; did you mean {' or '.join(near)}?" if near else ""
 
 

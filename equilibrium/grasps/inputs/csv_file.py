@@ -66,7 +66,9 @@ _USUAL = {
 _USUAL_AXES = {"": "p pos position point contact", "normal_": "n normal", "f_": "f force"}
 #: A name, and a unit in brackets or, of those known, behind a bar.
 _BRACKETED = re.compile(r"(.*?)\s*[\[(]\s*([^\])]*?)\s*[\])]")
-_SUFFIXED = re.compile(r"(.+)_(mm|cm|m|um|µm|in|ft|N|kN|deg|rad|degrees|radians)", re.IGNORECASE)
+_SUFFIXED = re.compile(
+    r"(.+?)(?:_| in )(mm|cm|m|um|µm|in|ft|N|kN|deg|rad|degrees|radians)", re.IGNORECASE
+)
 _DEGREES = ("deg", "degree", "degrees", "°", "")
 #: The last ones are those of tables of shapes.
 _LENGTHS = ("x", "y", "z", "radius", "x2", "y2")
@@ -130,7 +132,12 @@ def parse_csv(text: str, how: Rounding | None = None) -> Conversion:
     ((Fraction(1, 1), Fraction(0, 1)), True)
     """
     conversion = read_rows(contact_rows(text), exact_contacts(how))
-    return replace(conversion, grasp=replace(conversion.grasp, units=units_of(text)))
+    units, remarks = units_of(text), conversion.remarks
+    if units is None and (known := _stated_units(text)):
+        kind = next(iter(known))
+        text = f"only the unit of {kind} is stated, {known[kind]}, so answers have none"
+        remarks += (f"{text}; state those of length and force, as in x [mm] and preload [N]",)
+    return replace(conversion, grasp=replace(conversion.grasp, units=units), remarks=remarks)
 
 
 def read_bodies(
@@ -289,6 +296,12 @@ def units_of(text: str) -> Units | None:
     Raises:
         GraspError: units that do not fit together, or angles that are not in degrees.
     """
+    known = _stated_units(text)
+    return Units(known["length"], known["force"]) if len(known) == 2 else None
+
+
+def _stated_units(text: str) -> dict[str, str]:
+    """Return the units of length and force that the first line of a table states."""
     stated = [(entry.strip(), *column_of(entry)) for entry in _header(text)]
     known: dict[str, str] = {}
     for entry, name, unit in stated:
@@ -307,7 +320,7 @@ def units_of(text: str) -> Units | None:
                 raise GraspError(
                     f"the column {shown(entry)} is in {unit}; expected {expected}, as the others"
                 )
-    return Units(known["length"], known["force"]) if len(known) == 2 else None
+    return known
 
 
 def table_rows(text: str, check: Callable[[list[str]], None]) -> Rows:
