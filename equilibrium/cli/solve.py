@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import argparse
 import math
-import re
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -164,21 +163,12 @@ def _many(arguments: argparse.Namespace) -> int:
     return show(arguments, document, [repr(checked)[1:-1]] if arguments.output else lines, yes)
 
 
-#: Characters of a CSV file in which its header is looked for.
-_HEAD = 2**16
-
-
 def _has_many(path: str) -> bool:
     """Return whether a path is that of a file of many grasps, by its ending or its columns."""
-    if not path.lower().endswith(".csv") or not Path(path).is_file():
-        return path.lower().endswith(".npz")
-    try:
-        with Path(path).open(encoding="utf-8", errors="replace") as stream:
-            lines = stream.read(_HEAD).splitlines()
-    except OSError:
-        return False  # what reads the grasp says why
-    header = next((x for x in lines if x.strip() and not x.lstrip().startswith("#")), "")
-    return "grasp" in re.split(r"[\s,;]+", header)
+    from equilibrium.grasps.inputs.csv_file import names_in
+
+    ending = Path(path).suffix.lower()
+    return ending == ".npz" or (ending == ".csv" and "grasp" in names_in(path))
 
 
 def _by_methods(arguments: argparse.Namespace, subject: Any, load: Any) -> int:

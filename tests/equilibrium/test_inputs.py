@@ -328,6 +328,8 @@ def test_tables_are_their_tangential_planes_for_arrangements(capsys, monkeypatch
     planes = read_grasp("paper-three-contacts").tangential_arrangement()
     assert tangential_arrangement(three) == planes
     assert tangential_arrangement("x,y\n1,2\n") is None
+    quoted = '"x","y","normal_x","normal_y","friction"\n0,0,0,1,1\n'
+    assert tangential_arrangement(quoted) == tangential_arrangement(quoted.replace('"', ""))
     with pytest.raises(GraspError, match="without an exact length"):
         tangential_arrangement(header + "0,0,1,1,1\n")
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(three.encode())))
@@ -453,6 +455,7 @@ FINGERS = parse_csv(PLAIN).grasp
         "x_m,y_m,angle_deg,cof,force_N",
         "x in m,y in m,angle in deg,mu,q in N",
         "pos_x [m],pos_y [m],theta [°],Coefficient of friction [-],Normal force [N]",
+        '"x [m]","y [m]","angle","mu","preload [N]"',
     ],
 )
 def test_csv_heads_may_have_units_and_usual_names(head):

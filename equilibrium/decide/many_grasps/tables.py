@@ -27,7 +27,7 @@ from arrangement.errors import InputError
 from arrangement.library.files.json_files import read_bytes, read_text
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, from_floats, rational, shown
-from equilibrium.grasps.inputs.csv_file import check_header, exact_contacts, read_rows, table_rows
+from equilibrium.grasps.inputs.csv_file import Table, check_header, exact_contacts, read_rows
 from equilibrium.model.contact import VALUES, WRENCH_SIZES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import ask_contacts, read_wrench
@@ -194,7 +194,7 @@ def _check_wrenches(header: list[str]) -> None:
 def _groups(path: str, check: Any) -> _Groups:
     """Return the lines of a CSV file by their grasps, with their numbers."""
     groups: _Groups = {}
-    for line, row in table_rows(read_text(Path(path), _KIND)[0], check):
+    for line, row in Table(read_text(Path(path), _KIND)[0]).rows(check):
         groups.setdefault(row.pop(_GRASP, ""), []).append((line, row))
     return groups
 

@@ -26,7 +26,7 @@ from dataclasses import replace
 from difflib import get_close_matches
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard
 
 from arrangement.errors import refusal
 from arrangement.library.files.json_files import read_text
@@ -86,19 +86,31 @@ Rows: TypeAlias = Iterable[tuple[int, dict[str, str]]]
 Convert: TypeAlias = Callable[[list[Any], list[Any], list[dict[str, Any]]], Conversion]
 
 
-def is_table(source: object) -> bool:
+def is_table(source: object) -> TypeGuard[str | os.PathLike[str]]:
     """Return whether a source is the path of a table: by its ending, or else by its first line."""
     if not isinstance(source, (str, os.PathLike)):
         return False
-    path = Path(os.fsdecode(source))
-    if path.suffix.lower() in (".csv", ".tsv"):
-        return True
-    if path.suffix.lower() in ("", ".json") or not path.is_file():
-        return False
-    with path.open(encoding="utf-8", errors="replace") as stream:
-        head = next(_lines(stream.read(_HEAD_SIZE)), "")
-    names = {column_of(name)[0] for name in re.split(r"[,;\t]", head)}
-    return {"x", "y"} <= names
+    ending = Path(os.fsdecode(source)).suffix.lower()
+    if ending in ("", ".csv", ".json", ".tsv"):
+        return ending in (".csv", ".tsv")
+    return {"x", "y"} <= names_in(source)
+
+
+def names_in(path: str | os.PathLike[str]) -> set[str]:
+    """Return the names of columns that the first line of a file seems to have; none of no file."""
+    place = Path(os.fsdecode(path))
+    if not place.is_file():
+        return set()  # what comes through a pipe can be read once
+    try:
+        with place.open(encoding="utf-8", errors="replace") as stream:
+            return _names(stream.read(_HEAD_SIZE))
+    except OSError:
+        return set()  # what reads the file says why
+
+
+def _names(text: str) -> set[str]:
+    lines = (line for line in text.splitlines() if line.strip() and line.lstrip()[0] != "#")
+    return {column_of(entry.strip('" '))[0] for entry in re.split(r"[,;\t]", next(lines, ""))}
 
 
 def read_csv(
@@ -131,13 +143,11 @@ def parse_csv(text: str, how: Rounding | None = None) -> Conversion:
     >>> conversion.grasp.contacts[0].normal, conversion.exact
     ((Fraction(1, 1), Fraction(0, 1)), True)
     """
-    conversion = read_rows(contact_rows(text), exact_contacts(how))
-    units, remarks = units_of(text), conversion.remarks
-    if units is None and (known := _stated_units(text)):
-        kind = next(iter(known))
-        text = f"only the unit of {kind} is stated, {known[kind]}, so answers have none"
-        remarks += (f"{text}; state those of length and force, as in x [mm] and preload [N]",)
-    return replace(conversion, grasp=replace(conversion.grasp, units=units), remarks=remarks)
+    table = Table(text)
+    conversion = read_rows(table.contacts(), exact_contacts(how))
+    remarks = (*conversion.remarks, *table.unit_remarks())
+    grasp = replace(conversion.grasp, units=table.units)
+    return replace(conversion, grasp=grasp, remarks=remarks)
 
 
 def read_bodies(
@@ -158,23 +168,18 @@ def read_bodies(
     Raises:
         GraspError: as `read_csv`.
     """
-    text = read_text(Path(path))[0]
-    if BODIES[0] not in map(_name_of, _header(text)):
+    table = Table(read_text(Path(path))[0])
+    if BODIES[0] not in table.names:
         return None
     pairs: list[tuple[str, str | None]] = []
     how = rounding(0, tolerance, angle_tolerance, as_given)
-    conversion = read_rows(contact_rows(text), exact_contacts(how), pairs=pairs)
+    conversion = read_rows(table.contacts(), exact_contacts(how), pairs=pairs)
     if len(conversion.grasp) != len(pairs):
         raise GraspError("pad is for one body; leave the column out")
     contacts = [BodyContact(*pair, c) for pair, c in zip(pairs, conversion.grasp, strict=True)]
     names = dict.fromkeys(name for pair in pairs for name in pair if name is not None)
     error = conversion.grasp.data_error
-    return Assembly(names, contacts, units_of(text), error), conversion
-
-
-def _lines(text: str) -> Iterator[str]:
-    """Yield the lines that are neither empty nor comments."""
-    return (line for line in text.splitlines() if line.strip() and not line.startswith("#"))
+    return Assembly(names, contacts, table.units, error), conversion
 
 
 def tangential_arrangement(text: str) -> Arrangement | None:
@@ -183,7 +188,7 @@ def tangential_arrangement(text: str) -> Arrangement | None:
     Raises:
         GraspError: as `parse_csv`, and where a normal had to be rounded.
     """
-    if not {"normal_x", _ANGLE} & set(map(_name_of, _header(text))):
+    if not {"normal_x", _ANGLE} & _names(text):
         return None
     conversion = parse_csv(text)
     if not conversion.exact:
@@ -192,12 +197,6 @@ def tangential_arrangement(text: str) -> Arrangement | None:
             "with rounded ones, and reports the change"
         )
     return conversion.grasp.tangential_arrangement()
-
-
-def contact_rows(text: str) -> Rows:
-    """Return the lines of a table of contacts."""
-    ask_contacts(text.count("\n"))
-    return table_rows(text, check_header)
 
 
 def exact_contacts(how: Rounding | None = None) -> Convert:
@@ -260,16 +259,6 @@ def _named(line: int) -> Iterator[None]:
         raise GraspError(f"line {line}: {re.sub(_FIRST, '', message)}") from None
 
 
-def _header(text: str) -> list[str]:
-    """Return the entries of the first line."""
-    first = next(_lines(text), "")
-    return first.split(_separator(first))
-
-
-def _separator(line: str) -> str:
-    return max(_SEPARATORS, key=line.count)
-
-
 def column_of(entry: str) -> tuple[str, str | None]:
     """Return the name of a column, and its unit if the entry states one.
 
@@ -286,64 +275,91 @@ def column_of(entry: str) -> tuple[str, str | None]:
     return usual or (plain if match or plain in _KNOWN else name), unit
 
 
-def _name_of(entry: str) -> str:
-    return column_of(entry)[0]
+class Table:
+    """The text of a table.
 
-
-def units_of(text: str) -> Units | None:
-    """Return the units of a table, if its first line states those of length and of force.
+    Attributes:
+        names: of its columns.
 
     Raises:
-        GraspError: units that do not fit together, or angles that are not in degrees.
+        GraspError: a quotation mark in the first line is not closed.
     """
-    known = _stated_units(text)
-    return Units(known["length"], known["force"]) if len(known) == 2 else None
 
+    def __init__(self, text: str) -> None:
+        lines = ["" if line.lstrip().startswith("#") else line for line in io.StringIO(text)]
+        first = next(filter(str.strip, lines), "")
+        self._length, self._separator = text.count("\n"), max(_SEPARATORS, key=first.count)
+        self._reader = csv.reader(lines, delimiter=self._separator, strict=True)
+        self._head = self._next_entries() or []
+        self.names = [column_of(entry)[0] for entry in self._head]
 
-def _stated_units(text: str) -> dict[str, str]:
-    """Return the units of length and force that the first line of a table states."""
-    stated = [(entry.strip(), *column_of(entry)) for entry in _header(text)]
-    known: dict[str, str] = {}
-    for entry, name, unit in stated:
-        kind = _kind(name)
-        if unit and kind and known.setdefault(kind, unit) != unit:
-            raise GraspError(
-                f"the column {shown(entry)} is in {unit}, others in {known[kind]}; nothing is "
-                f"converted, so expected one unit of {kind}"
-            )
-    for entry, name, unit in stated:
-        if name == _ANGLE and unit is not None and unit.lower() not in _DEGREES:
-            raise GraspError(f"the column {shown(entry)} is in {unit}; expected degrees")
-        if name == "stiffness" and unit and len(known) == 2:
-            expected = f"{known['force']}/{known['length']}"
-            if unit.replace(" ", "") != expected:
+    def _next_entries(self) -> list[str] | None:
+        """Return the entries of the next line that has some; None at the end."""
+        try:
+            rows = ([entry.strip() for entry in row] for row in self._reader)
+            return next(filter(any, rows), None)
+        except csv.Error as error:
+            raise GraspError(f"line {self._reader.line_num}: {error}") from None
+
+    def rows(self, check: Callable[[list[str]], None]) -> Rows:
+        """Yield line numbers and entries by column, whose names a function may refuse."""
+        check(self.names)
+        while (entries := self._next_entries()) is not None:
+            if len(entries) != len(self.names):
                 raise GraspError(
-                    f"the column {shown(entry)} is in {unit}; expected {expected}, as the others"
+                    f"line {self._reader.line_num} has {len(entries)} entries; the header has "
+                    f"{len(self.names)}"
                 )
-    return known
-
-
-def table_rows(text: str, check: Callable[[list[str]], None]) -> Rows:
-    """Yield line numbers and entries by column, whose names a function may refuse."""
-    lines = ["" if line.lstrip().startswith("#") else line for line in io.StringIO(text)]
-    first = next(filter(str.strip, lines), "")
-    separator = _separator(first)
-    reader = csv.reader(lines, delimiter=separator, strict=True)
-    try:
-        rows = (row for row in reader if any(map(str.strip, row)))
-        header = [*map(_name_of, next(rows, []))]
-        check(header)
-        for row in rows:
-            if len(row) != len(header):
-                raise GraspError(
-                    f"line {reader.line_num} has {len(row)} entries; the header has {len(header)}"
-                )
-            entries = [entry.strip() for entry in row]
-            if separator != ",":
+            if self._separator != ",":
                 entries = [x.replace(",", ".") if _COMMA.fullmatch(x) else x for x in entries]
-            yield reader.line_num, dict(zip(header, entries, strict=True))
-    except csv.Error as error:
-        raise GraspError(f"line {reader.line_num}: {error}") from None
+            yield self._reader.line_num, dict(zip(self.names, entries, strict=True))
+
+    def contacts(self) -> Rows:
+        """Return the lines of a table of contacts."""
+        ask_contacts(self._length)
+        return self.rows(check_header)
+
+    @property
+    def units(self) -> Units | None:
+        """The units, if the first line states those of length and of force.
+
+        Raises:
+            GraspError: units that do not fit together, or angles that are not in degrees.
+        """
+        known = self._stated_units()
+        return Units(known["length"], known["force"]) if len(known) == 2 else None
+
+    def unit_remarks(self) -> Iterator[str]:
+        """Yield what is to be said of units that are not complete; errors are those of `units`."""
+        known = self._stated_units()
+        if len(known) == 1:
+            ((kind, unit),) = known.items()
+            yield (
+                f"only the unit of {kind} is stated, {unit}, so answers have none; state those of "
+                "length and force, as in x [mm] and preload [N]"
+            )
+
+    def _stated_units(self) -> dict[str, str]:
+        """Return the units of length and force that the first line states."""
+        stated = [(shown(entry), *column_of(entry)) for entry in self._head]
+        known: dict[str, str] = {}
+        for entry, name, unit in stated:
+            kind = _kind(name)
+            if unit and kind and known.setdefault(kind, unit) != unit:
+                raise GraspError(
+                    f"the column {entry} is in {unit}, others in {known[kind]}; nothing is "
+                    f"converted, so expected one unit of {kind}"
+                )
+        for entry, name, unit in stated:
+            if name == _ANGLE and unit is not None and unit.lower() not in _DEGREES:
+                raise GraspError(f"the column {entry} is in {unit}; expected degrees")
+            if name == "stiffness" and unit and len(known) == 2:
+                expected = f"{known['force']}/{known['length']}"
+                if unit.replace(" ", "") != expected:
+                    raise GraspError(
+                        f"the column {entry} is in {unit}; expected {expected}, as the others"
+                    )
+        return known
 
 
 def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:

@@ -73,9 +73,8 @@ def read_any(
     True
     """
     if is_table(source):
-        table: Any = source
         return read_csv(
-            table, angle_tolerance=angle_tolerance, tolerance=tolerance, as_given=as_given
+            source, angle_tolerance=angle_tolerance, tolerance=tolerance, as_given=as_given
         )
     document = read_contacts(source, floats=decimal_text)
     contacts = check_list(document["contacts"], "contacts")
@@ -154,8 +153,7 @@ def read_assembly(source: Source) -> Assembly:
         InputError: for anything that is not exactly a valid document or table.
     """
     if is_table(source):
-        table: Any = source
-        bodies = read_bodies(table)
+        bodies = read_bodies(source)
         if bodies is None:
             raise GraspError(f"{source} has no columns body_a and body_b; expected an assembly")
         if not bodies[1].exact:

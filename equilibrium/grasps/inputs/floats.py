@@ -44,7 +44,7 @@ from .conversion import (
     extras_of,
     value_columns,
 )
-from .csv_file import contact_rows, is_table, read_rows
+from .csv_file import Table, is_table, read_rows
 from .incidences import check_number, converted
 from .rounding import equal_numbers, rounding
 
@@ -160,7 +160,6 @@ def read_float_data(
         "as_given": as_given,
     }
     if is_table(source):
-        table: Any = source
 
         def convert(
             points: list[Any], normals: list[Any], values: list[dict[str, Any]]
@@ -169,7 +168,7 @@ def read_float_data(
             columns: dict[str, Any] = {name: [row[name] for row in values] for name in names}
             return from_float_data(points, normals, **columns, **options)
 
-        return read_rows(contact_rows(read_text(Path(table))[0]), convert, _number)
+        return read_rows(Table(read_text(Path(source))[0]).contacts(), convert, _number)
     document = read_contacts(source, "points", floats=float)
     extras: list[dict[str, Any]] = []
     if "contacts" in document:

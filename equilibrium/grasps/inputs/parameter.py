@@ -13,7 +13,7 @@ from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.parameter import ParametricQuestion
 
-from .csv_file import BODIES, GROUND, contact_rows, is_table
+from .csv_file import BODIES, GROUND, Table, is_table
 
 _RANGE = re.compile(r"\s*([A-Za-z]\w*)\s*=\s*(\S+?)\s*\.\.\s*(\S+?)\s*")
 
@@ -50,8 +50,7 @@ def question_document(source: Source, wrench: Any = None) -> dict[str, Any]:
         InputError: for anything else.
     """
     if is_table(source):
-        table: Any = source
-        document = _of_table(read_text(Path(table))[0])
+        document = _of_table(Table(read_text(Path(source))[0]))
     else:
         document = dict(read_contacts(source, floats=decimal_text))
     if wrench is not None:
@@ -66,9 +65,9 @@ def question_document(source: Source, wrench: Any = None) -> dict[str, Any]:
     return document
 
 
-def _of_table(text: str) -> dict[str, Any]:
+def _of_table(table: Table) -> dict[str, Any]:
     contacts, names = [], dict[str, None]()
-    for line, row in contact_rows(text):
+    for line, row in table.contacts():
         if "z" in row or not row.keys() <= {
             *BODIES,
             "x",

@@ -44,7 +44,7 @@ from equilibrium.model.outline import Circle, Polygon, coordinates, read_round, 
 from equilibrium.model.unit_normal import unit_normal
 
 from .conversion import DEFAULT_TOLERANCE
-from .csv_file import BODIES, GROUND, is_table, table_rows, units_of
+from .csv_file import BODIES, GROUND, Table, is_table
 from .touching import Form, Plane, Shape, TouchingShapes, area, counter_clockwise, touching
 
 #: Which forms there are, and what a body and a part of the ground may have besides.
@@ -326,7 +326,8 @@ def _of_table(text: str) -> dict[str, Any]:
 
     ask_contacts(text.count("\n"))
     shapes, last = list[dict[str, Any]](), None
-    for line, row in table_rows(text, check):
+    table = Table(text)
+    for line, row in table.rows(check):
         entry = {key: x for key, x in row.items() if x}
         name, place = entry.pop(BODIES[0], ""), [entry.pop(x, "") for x in _PLACES if x in row]
         extra = {"weight": entry.pop("weight")} if "weight" in entry else {}
@@ -340,8 +341,8 @@ def _of_table(text: str) -> dict[str, Any]:
     bodies = [shape for shape in shapes if shape["name"] != "ground"]
     document: dict[str, Any] = {"schema_version": 1}
     document["ground"] = [shape for shape in shapes if shape["name"] == "ground"]
-    if units := units_of(text):
-        document["units"] = units.to_dict()
+    if table.units:
+        document["units"] = table.units.to_dict()
     if len(bodies) == 1 and "sphere" in bodies[0]:
         return {**document, "body": bodies[0]}
     return {**document, "bodies": bodies}
