@@ -38,6 +38,13 @@ def test_least_forces_on_a_block_on_a_slope():
     assert refuted.verify()
 
 
+def test_no_load_at_the_tip_of_a_cone_is_moved_by_the_least_force():
+    """Without preloads and weight, resistance ends at once beside the friction cone."""
+    best = ResistedSet(BLOCK).best_direction((0, 0, 0), POINT)
+    assert (best.moving, best.holding) == ((0, 0), None)
+    assert best.beyond is not None
+
+
 def random_set(seed):
     source = Random(f"best direction {seed}")
     normals = [("1", "0"), ("0", "1"), ("-1", "0"), ("0", "-1"), ("3/5", "4/5"), ("-4/5", "3/5")]

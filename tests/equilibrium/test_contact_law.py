@@ -96,3 +96,30 @@ def test_conditions_do_not_depend_on_the_load():
     assert loaded.conditions(0, "slip+") is question.conditions(0, "slip+")
     (one, other) = (ContactProgram(x, ("slip+",) * 3).equalities for x in (question, loaded))
     assert one != other
+
+
+@pytest.mark.parametrize(("needed", "feasible"), [(1, False), (F(3, 2), True), (3, True)])
+def test_undecided_contact_has_the_force_of_its_spring_at_least(needed, feasible):
+    """The spring of preload 2 is let go by 1/2 at most."""
+    question = posed(
+        [Contact([0, 0], [0, 1], 0, preload=2)], (0, -needed, 0), max_displacement=F(1, 2)
+    )
+    assert ContactProgram(question, ("undecided",)).feasible == feasible
+
+
+@pytest.mark.parametrize(("shares", "chosen"), [((), None), ((F(1, 3), 2), None), ((), {1})])
+def test_preloads_grow_by_their_shares(shares, chosen):
+    contacts = [Contact([k, 0], [0, 1], MU, preload=k) for k in (1, 2)]
+    question = posed(
+        contacts,
+        (0, -5, 0),
+        load_slope=(F(0), F(-1), F(0)),
+        preload_slope=F(3),
+        shares=shares,
+        chosen=chosen and frozenset(chosen),
+    )
+    added = [6 * x for x in shares] or [0 if chosen else 6, 6]
+    preloads = [c.preload + x for c, x in zip(contacts, added, strict=True)]
+    assert [c.preload for c in question.at(F(2)).rows] == preloads
+    (spring,) = question.conditions(1, "detached").least
+    assert spring.row == {-1: -2, 1: 1, 2: 2, 3: -3 * (shares[1] if shares else 1)}

@@ -20,6 +20,7 @@ from equilibrium.cli.program import main
 from equilibrium.core.contact_rows import cone_edge, friction_edges
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods import closure_friction, compare, force_closure
+from equilibrium.methods.closure_friction import closure_frictions
 from equilibrium.methods.form_closure import _ray_value, form_closure
 from equilibrium.methods.round_cones import separates
 from equilibrium.model.contact import pyramid_edges
@@ -335,6 +336,27 @@ def test_no_friction_closes_two_fingers_in_space():
     assert (closed.low, closed.high, closed.verify(form)) == (0, 0, True)
     with pytest.raises(GraspError, match="tolerance is 0; it must be above 0"):
         closure_friction(form, 0)
+
+
+def test_brackets_of_many_grasps_are_rounded_outwards():
+    grasps = [
+        Grasp(Contact([x, 0], [-x * q, p], 1) for x in (-1, 1))
+        for p, q in (
+            (Fraction(2 * t, 1 + t * t), (1 - t * t) / (1 + t * t))
+            for t in (Fraction(1, k) for k in range(3, 11))
+        )
+    ]
+    down = up = 0
+    for grasp, ends in zip(grasps, closure_frictions(grasps, "1/50"), strict=True):
+        low, high = map(Fraction, ends)
+        exact = closure_friction(grasp, "1/50")
+        assert low <= exact.low < exact.high <= high
+        assert exact.low <= Fraction(np.nextafter(ends[0], 1))
+        assert Fraction(np.nextafter(ends[1], 0)) <= exact.high
+        down += Fraction(float(exact.low)) > exact.low
+        up += Fraction(float(exact.high)) < exact.high
+    assert down
+    assert up
 
 
 @pytest.mark.parametrize("dimension", [2, 3])

@@ -510,8 +510,15 @@ def test_a_grasp_saved_as_a_table_is_read_back(grasp):
 def test_a_table_refuses_what_it_has_no_place_for(tmp_path):
     FINGERS.save(tmp_path / "a.csv")
     assert read_grasp(tmp_path / "a.csv") == FINGERS
-    with pytest.raises(GraspError, match="the grasp has a outline"):
-        FINGERS.with_outline(Circle([0, 0], 1)).save(tmp_path / "b.csv")
+    first, second = FINGERS
+    for grasp, lost in (
+        (FINGERS.with_outline(Circle([0, 0], 1)), "an outline"),
+        (replace(FINGERS, data_error=DataError(*[Fraction(1, 9)] * 3)), "bounds on errors"),
+        (Grasp([replace(first, share=Fraction(1, 2))] * 2), "a pad"),
+        (Grasp([first, replace(second, friction=0, thread=(2, 0))]), "a thread"),
+    ):
+        with pytest.raises(GraspError, match=f"the grasp has {lost}, "):
+            grasp.save(tmp_path / "b.csv")
     with pytest.raises(GraspError, match=r"ends in '\.dat'; expected \.json or \.csv"):
         FINGERS.save(tmp_path / "c.dat")
     assert [*tmp_path.iterdir()] == [tmp_path / "a.csv"]

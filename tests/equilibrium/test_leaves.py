@@ -6,7 +6,18 @@ from typing import Any
 
 import pytest
 
-from equilibrium.core.contacts import IntegerContacts
+from arrangement.numbers.exact import dot
+from equilibrium import Contact, Grasp
+from equilibrium.certificate.contact_rule import (
+    broken_multipliers,
+    greatest_product,
+    within_room,
+)
+from equilibrium.core.cones import LineCones, RoundCones
+from equilibrium.core.contacts import FloatContacts, IntegerContacts
+from equilibrium.core.leaves import Leaves
+from equilibrium.model.rows import ContactRows
+from equilibrium.model.solution import Leaf
 from equilibrium.plane.search.motion_regions import ORTHANTS
 from equilibrium.plane.search.virtual_motions import _exact_multiplier, closed
 
@@ -77,3 +88,45 @@ def test_the_answer_is_that_of_a_naive_evaluation(size):
             motions = [[x + source.randint(-1, 1) for x in along] for _ in regions]
         found += answers(asked, regions, motions)
     assert 10 < sum(found) < len(found) - 10
+
+
+#: Of one contact: in the plane with the names of certificates, in space with a sector.
+STATES = {
+    2: dict(zip(("slip+", "slip-"), LineCones().all, strict=True)),
+    3: {"sector": ((1, 0), (0, 1)), "narrow": ((4, 3), (3, 4))},
+}
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("beyond", [0, Fraction(1, 10**30), Fraction(-1, 10**30), 1, -1])
+def test_contacts_of_leaves_obey_the_rule_of_certificates(dimension, beyond):
+    """With multipliers at the largest that the rule allows, and next to it."""
+    answers = set()
+    for seed in range(40):
+        source = Random(f"contact {dimension} {seed}")
+        point, normal = ([source.randint(-3, 3) for _ in range(2)], [0, 1])
+        contact = Contact(
+            [*point, 0][:dimension], [0, *normal][-dimension:], Fraction(source.randint(0, 4), 4)
+        )
+        cones = LineCones() if dimension == 2 else RoundCones()
+        rows = ContactRows.of_grasp(Grasp([contact]))
+        leaves = Leaves(FloatContacts(rows), (Fraction(0),) * rows.n, cones)
+        motion = [source.randint(-4, 4) for _ in range(rows.n)]
+        motion[0] += not any(motion)
+        (frame,) = rows
+        a, *b = (dot(x, motion) for x in (frame.normal_wrench, *frame.tangential_wrenches))
+        h = [source.choice((0, 0, 1, -1)) for _ in b]
+        states = {x: x for x in ("undecided", "attached", "detached", "stick")} | STATES[dimension]
+        for name, state in states.items():
+            in_rule: Any = name if dimension == 2 or isinstance(state, str) else state
+            if dimension == 2:
+                most = contact.friction * greatest_product(b, in_rule, [(1,), (-1,)])
+                alpha = a - most + beyond
+                is_below = beyond <= 0
+            else:
+                alpha = a - Fraction(source.randint(-8, 8), 2) + beyond
+                is_below = within_room(a - alpha, b, contact.friction, in_rule)
+            expected = not broken_multipliers(in_rule, alpha, h, is_below=is_below)
+            assert leaves._holds((state,), Leaf(tuple(motion), {0: [alpha, *h]}, {})) == expected
+            answers.add((name, expected))
+    assert {answer for _, answer in answers} == {True, False}

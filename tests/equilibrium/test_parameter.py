@@ -4,6 +4,7 @@ import json
 import math
 import re
 from collections import Counter
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from random import Random
@@ -23,6 +24,7 @@ from equilibrium.grasps.inputs.parameter import read_parametric
 from equilibrium.grasps.schemas import parameter_certificate_schema
 from equilibrium.model.solution import Solution
 from equilibrium.pictures.parameter import draw_values
+from equilibrium.wrench_sets.parameter import Piece
 from equilibrium.wrench_sets.sufficient_friction import sufficient_friction
 from tests.schemas import validator
 
@@ -516,6 +518,14 @@ def test_least_friction_is_in_the_bracket_of_all_states():
             assert other.low <= answer.high
             bounded += 1
     assert bounded > 4
+
+
+def test_least_friction_above_1_is_that_of_the_largest_inverse():
+    """Where the inverses f of sufficient coefficients 1/f have two intervals."""
+    answer = sufficient_friction(SMOOTH, [2])
+    proofs = [Piece(Span(F(1, a), F(1, b)), "resisted", {}) for a, b in ((5, 4), (3, 2))]
+    between = replace(answer, from_1=replace(answer.from_1, pieces=tuple(proofs)))
+    assert between.high == 2
 
 
 def test_friction_of_no_contacts_is_refused():

@@ -418,7 +418,10 @@ class TestShapes:
             [disc("ball", 0, 1, 1, weight=3), block],
             [walls((-4, 0), (4, 0), name="floor")],
             "1/2",
-            pairs=[{"shapes": ["floor", "ball"], "friction": "1/4", "preload": "2"}],
+            pairs=[
+                {"shapes": ["floor", "ball"], "friction": "1/4", "preload": "1"},
+                {"shapes": ["ball", "floor"], "preload": "2"},
+            ],
             wrench={"ball": ["0", "0", "1"]},
         )
         SCHEMA.validate(known)

@@ -929,9 +929,10 @@ class TestModel:
         wanted = [source.randint(-9, 9) / 7 for _ in range(3)] if seed else [2, -3, 6]
         found, error = unit_normal(wanted, Fraction(1, 10**5))
         assert sum(x * x for x in found) == 1
-        length = math.hypot(*wanted)
-        cosine = sum(float(x) * y for x, y in zip(found, wanted, strict=True)) / length
-        assert 1 - cosine <= float(error) ** 2 + 1e-15
+        exact = [Fraction(x) for x in wanted]
+        cosine, square = dot(found, exact), dot(exact, exact)
+        assert cosine > 0
+        assert square - cosine**2 <= (error * cosine) ** 2
         assert error <= Fraction(1, 10**5)
         if not seed:
             assert (found, error) == ((Fraction(2, 7), Fraction(-3, 7), Fraction(6, 7)), 0)

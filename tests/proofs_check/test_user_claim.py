@@ -477,6 +477,8 @@ def test_one_claim_named_and_failing_one_keeps_others(write, capsys):
         ("abs(chi(-1)) == comb(m, 2)", r"|\chi(-1)| = \binom{m}{2}"),
         ("(m < 3 or simple) and not m % 2 == 0", r"(m \lt 3\; \text{or} \;\text{simple})"
          r"\; \text{and} \;\neg (m\; \text{mod} \;2 = 0)"),
+        ("m < 3 or (m < 4 or simple)",
+         r"m \lt 3\; \text{or} \;(m \lt 4\; \text{or} \;\text{simple})"),
         ("max(f_vector[1], m) <= 7", r"\max(f_{1}, m) \le 7"),
         ("simple implies binomial(m, 2) < factorial(n)",
          r"\text{simple} \Rightarrow \binom{m}{2} \lt (n)!"),

@@ -410,13 +410,13 @@ def table_text(grasp: Grasp) -> str:
     1,0,-1,0,1/2,1,0,0
     """
     is_there = {
-        "outline": grasp.outline is not None,
-        "data_error": grasp.data_error is not None,
-        "pad": len(grasp.groups) != len(grasp),
-        "thread": any(contact.thread for contact in grasp),
+        "an outline": grasp.outline is not None,
+        "bounds on errors": grasp.data_error is not None,
+        "a pad": len(grasp.groups) != len(grasp),
+        "a thread": any(contact.thread for contact in grasp),
     }
     if lost := [name for name, value in is_there.items() if value]:
-        raise GraspError(f"the grasp has a {lost[0]}, and a table has none; write .json")
+        raise GraspError(f"the grasp has {lost[0]}, for which a table has no place; write .json")
     stated = {} if grasp.units is None else grasp.units.to_dict()
     axes = "xyz"[: grasp.dimension]
     text = io.StringIO()
