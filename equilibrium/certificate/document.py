@@ -132,18 +132,21 @@ def certificate(
     question["wrench"] = texts(by_body(subject, load))
     question |= displacement_entry(max_displacement)
     document = {"schema_version": SCHEMA_VERSION, "certificate": kind, **question, **proof}
-    write = partial(_leaf_entry, subject)
+    # A proof about one part of an assembly is planar, as one about a grasp.
+    tree = proof.get("tree")
+    is_flat = isinstance(subject, Grasp) or (isinstance(tree, dict) and "part" in tree)
+    write = partial(_leaf_entry, None if is_flat else subject)
     return Certificate(json.dumps(document, separators=(",", ":"), default=write))
 
 
-def _leaf_entry(subject: Subject, leaf: Leaf) -> Any:
-    """Return the JSON form of a leaf."""
-    motion = texts(by_body(subject, leaf.motion))
-    if isinstance(motion, dict):
-        motion = {name: row for name, row in motion.items() if row != ["0"] * len(row)}
+def _leaf_entry(assembly: Subject | None, leaf: Leaf) -> Any:
+    """Return the JSON form of a leaf; of an assembly with motions by the names of bodies."""
+    is_long, motion = assembly is not None, texts(leaf.motion)
+    if assembly is not None:
+        rows_by_name = by_body(assembly, leaf.motion).items()
+        motion = {name: texts(row) for name, row in rows_by_name if any(row)}
     elif not (leaf.multipliers or leaf.displacements):
         return motion
-    is_long = isinstance(subject, Assembly)
     rows = {
         str(i): texts(row if is_long or any(row[1:]) else row[:1])
         for i, row in leaf.multipliers.items()

@@ -17,10 +17,11 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.numbers.exact import RationalVector, primitive, to_text
+from arrangement.numbers.exact import RationalVector, primitive
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
+from equilibrium.model.solution import Leaf
 
 from .contact_law import spring_row
 from .contact_rows import over_unit
@@ -170,20 +171,14 @@ class IntegerContacts:
         ]
         return whole(found, (len(rows), 4)), scales
 
-    def bound_leaf(
-        self, motion: Sequence[int], used: Mapping[int, Fraction | int]
-    ) -> dict[str, Any]:
+    def bound_leaf(self, motion: Sequence[int], used: Mapping[int, Fraction | int]) -> Leaf:
         """Return the leaf of a virtual motion with some rows of `bounds` times numbers above 0."""
         numbers: dict[int, list[Fraction]] = {}
         for k, multiplier in used.items():
             (i, j), sign = divmod(k // 2, 2), 1 - 2 * (k % 2)
             row = numbers.setdefault(i, [Fraction(0), Fraction(0)])
             row[j] += sign * multiplier * self.bounds[1][k]
-        return {
-            "virtual_motion": list(map(to_text, motion)),
-            "multipliers": {},
-            "displacements": {str(i): list(map(to_text, row)) for i, row in numbers.items()},
-        }
+        return Leaf(tuple(motion), {}, numbers)
 
     @cached_property
     def floats(self) -> FloatContacts:

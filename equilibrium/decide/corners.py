@@ -6,13 +6,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import islice
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from arrangement.numbers.exact import RationalVector, dot, sign
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.core.contact_law import spring_force
 from equilibrium.model.contact import VALUES, Contact, wrench_at
-from equilibrium.model.subject import Subject, contacts_of, flat, seen_by, with_contacts
+from equilibrium.model.solution import leaves_of
+from equilibrium.model.subject import Subject, contacts_of, seen_by, with_contacts
 from equilibrium.model.unit_normal import unit_normal
 
 from . import NOT_RESISTED, RESISTED
@@ -98,7 +99,9 @@ def _virtual_motions(verdict: Verdict, decide: Decide) -> Iterator[RationalVecto
     for load in loads:
         proof = verdict if load == verdict.load else decide(verdict.subject, load)
         if proof is not None and proof.verdict == NOT_RESISTED:
-            yield from islice(_leaves(proof.proof["tree"], verdict), MAX_MOTIONS_PER_PROOF)
+            # Proofs in a plane, and about one body of several, have fewer numbers.
+            motions = (x.motion for x in leaves_of(proof.tree) if len(x.motion) == len(load))
+            yield from islice(motions, MAX_MOTIONS_PER_PROOF)
 
 
 def _working(
@@ -127,15 +130,3 @@ def _working(
     shifts = [dot(wrench_at(axis, force)[d:], virtual[d:]) for axis in axes]
     pressed = -work * dot(contact.normal_wrench, motion)
     return [most * sign(x) for x in (*turns, *shifts, -size * spring, pressed, work, -along)]
-
-
-def _leaves(node: Any, verdict: Verdict) -> Iterator[RationalVector]:
-    """Yield the virtual motions of a tree of a verdict, each with as many numbers as its load."""
-    n = len(verdict.load)
-    if isinstance(node, dict) and "virtual_motion" in node:
-        node = flat(verdict.subject, node["virtual_motion"])
-    if isinstance(node, (list, tuple)) and len(node) == n and not isinstance(node[0], (dict, list)):
-        yield tuple(map(Fraction, node))
-    elif isinstance(node, (dict, list)):
-        for child in node.values() if isinstance(node, dict) else node:
-            yield from _leaves(child, verdict)

@@ -5,13 +5,14 @@ Forces are those of points; `PadForce` is that of a pad.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import chain
 from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.console.number_form import JsonMixin, counted
-from arrangement.numbers.exact import RationalVector, dot, to_text, vector_text
+from arrangement.numbers.exact import RationalVector, dot, primitive, to_text, vector_text
 from arrangement.numbers.linear.rank import cross, difference
 
 from .contact import Contact
@@ -190,8 +191,54 @@ class Leaf:
     multipliers: Mapping[int, Sequence[Any]]
     displacements: Mapping[int, Sequence[Any]] = field(default_factory=dict)
 
+    @property
+    def numbers(self) -> tuple[Any, ...]:
+        """All of its numbers."""
+        return tuple(chain(self.motion, *self.multipliers.values(), *self.displacements.values()))
 
-#: The tree of virtual motions that refutes all, in the form of certificates or with such leaves.
+    def with_numbers(self, numbers: Iterable[Any]) -> Leaf:
+        """Return the leaf with other numbers, in the order of `numbers`."""
+        left = iter(numbers)
+        motion = tuple(next(left) for _ in self.motion)
+        rows = (
+            {i: tuple(next(left) for _ in row) for i, row in some.items()}
+            for some in (self.multipliers, self.displacements)
+        )
+        return Leaf(motion, *rows)
+
+    def at(self, contacts: Sequence[int]) -> Leaf:
+        """Return the leaf with the numbers of these contacts in place of 0, 1, ..."""
+        every = self.multipliers, self.displacements
+        return Leaf(self.motion, *({contacts[i]: x for i, x in rows.items()} for rows in every))
+
+    def primitive(self) -> Leaf:
+        """Return the leaf times what makes its numbers integers without a common divisor."""
+        return self.with_numbers(primitive(self.numbers))
+
+
+#: The tree of virtual motions that refutes all, with such leaves in the form of certificates.
 Tree: TypeAlias = dict[str, Any] | list[Any] | Leaf
+
+
+def leaves_of(tree: Any) -> Iterator[Leaf]:
+    """Yield the leaves of a tree."""
+    if isinstance(tree, Leaf):
+        yield tree
+    elif isinstance(tree, dict | list):
+        for child in tree.values() if isinstance(tree, dict) else tree:
+            yield from leaves_of(child)
+
+
+def with_leaves(tree: Any, change: Callable[[Leaf], Leaf]) -> Any:
+    """Return a tree with changed leaves."""
+    if isinstance(tree, Leaf):
+        return change(tree)
+    if isinstance(tree, list):
+        return [with_leaves(child, change) for child in tree]
+    if isinstance(tree, dict):
+        return {key: with_leaves(child, change) for key, child in tree.items()}
+    return tree
+
+
 #: An equilibrium, the proof that there is none, or neither.
 Outcome: TypeAlias = Solution | Tree | Open

@@ -13,6 +13,7 @@ from equilibrium import Contact, Grasp
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.decide import NOT_RESISTED, RESISTED, corners
 from equilibrium.model.contact import VALUES, wrench_at
+from equilibrium.model.solution import Leaf
 
 BOUNDS = Bounds(
     degrees=2, length="1/50", friction="10%", stiffness="20%", preload="30%", adhesion="40%"
@@ -104,10 +105,15 @@ def test_friction_of_a_contact_that_presses_nothing_stays():
 def tree(d):
     """Return a proof: three of its virtual motions are tried, the second was tried before."""
     more = [0] * (3 * d - 5)
-    rows = [[1, 1, *more], [-1, 1, *more], *[[9, -9, *more]] * (3 * d - 5)]
-    first = [[0, 1, *more], {"virtual_motion": ["1", "0", *map(str, more)]}]
+    motions = [(0, 1), (1, 0), (1, 1), (-1, 1), *[(9, -9)] * (3 * d - 5)]
+    first, second, *rest = [Leaf((*motion, *more), {}) for motion in motions]
+    # A leaf in a plane, or of one body of several, has another number of coordinates.
+    other = Leaf((1,) * (9 - 3 * d + 3), {})
     return {
-        "tree": {"contact": 1, "kind": "x" * (3 * d - 3), "at": [1], "split": first, "on": rows}
+        "contact": 1,
+        "at": ["1", "1"],
+        "slip": {"stick": other, "slip+": first},
+        "on": [second, *rest],
     }
 
 
@@ -120,11 +126,11 @@ def test_corners_come_in_order_and_none_twice(d, verdict, most, at_rest):
     grasp, load = Grasp([FINGERS[d], other]), (1, 0, *[0] * (3 * d - 5))
     motion = (0,) * len(load) if at_rest else MOTIONS[d][1]
     found = SimpleNamespace(subject=grasp, load=load, flat=tuple, verdict=verdict)
-    found.proof = tree(d)
+    found.tree = tree(d)
     found.solution = None if at_rest else SimpleNamespace(motion=motion)
-    answers = [None, SimpleNamespace(verdict=NOT_RESISTED, proof=tree(d))]
+    answers = [None, SimpleNamespace(verdict=NOT_RESISTED, tree=tree(d))]
     if not at_rest:
-        answers[0] = SimpleNamespace(verdict=RESISTED, proof={"tree": [[5, -7, *load[2:]]]})
+        answers[0] = SimpleNamespace(verdict=RESISTED, tree=Leaf((5, -7, *load[2:]), {}))
     asked = []
 
     def decide(*question):

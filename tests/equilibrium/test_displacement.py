@@ -28,6 +28,7 @@ from equilibrium.model.displacement import (
     warning,
 )
 from equilibrium.model.errors import EquilibriumError
+from equilibrium.model.solution import Leaf
 from equilibrium.pictures.lab.page import DECIDES
 from equilibrium.plane.search.units import unit_of
 from equilibrium.wrench_sets import ResistedSet
@@ -148,7 +149,7 @@ def test_checker_must_accept_a_proof_before_the_verdict_leaves(monkeypatch, caps
             solve(grasp, (0, 1, 0))
     assert not isinstance(caught.value, InputError)
     assert not solve(grasp, (0, 2, 0)).stable
-    monkeypatch.setattr(deciding, "resistance", lambda *_: ["1", "0", "0"])
+    monkeypatch.setattr(deciding, "resistance", lambda *_: Leaf((1, 0, 0), {}))
     for wrench in ((0, 2, 0), (0, 1, 0)):
         with pytest.raises(EquilibriumError, match="internal error"):
             solve(grasp, wrench)

@@ -149,11 +149,7 @@ def _lifted(node: Any, part: AssemblyPart, assembly: Assembly) -> Tree:
     moved: dict[str, RationalVector] = {}
     for k, name in enumerate(part.bodies):
         moved |= dict.fromkeys(part.hanging[name], node.motion[SIZE * k : SIZE * (k + 1)])
-    rows = [
-        {part.contacts[i]: row for i, row in every.items()}
-        for every in (node.multipliers, node.displacements)
-    ]
-    return Leaf(flat(assembly, moved), *rows)
+    return Leaf(flat(assembly, moved), node.multipliers, node.displacements).at(part.contacts)
 
 
 def _named(part: AssemblyPart) -> str:

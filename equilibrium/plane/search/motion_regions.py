@@ -23,7 +23,7 @@ from arrangement.numbers.float_filter import Floats
 from equilibrium.core.contacts import IntegerContacts
 from equilibrium.core.continuation import motion_scale
 from equilibrium.model.effort import Effort
-from equilibrium.model.solution import Solution
+from equilibrium.model.solution import Leaf, Solution
 from equilibrium.plane.search.region_states import Node, StateSplits, TooManyParts
 from equilibrium.plane.search.state_equilibrium import find_equilibrium
 from equilibrium.plane.search.virtual_motions import Regions, VirtualMotions, closed
@@ -183,7 +183,7 @@ class MotionRegions:
             across = np.abs(c.tangent.dot(motion) * c.friction)
             work = sum(int(x) * w for x, w in zip(motion, self.wrench, strict=True))
             if work > 0 and (c.normal.dot(motion) * c.friction_unit >= across).all():
-                return [to_text(x) for x in motion]
+                return Leaf(tuple(motion.tolist()), {})
         return None
 
     def _scaled(self, regions: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, Floats]:
@@ -226,10 +226,8 @@ class MotionRegions:
         for place, (n, motion, multiplier) in enumerate(zip(hopeful, exact, tested, strict=True)):
             if multiplier is None:
                 continue
-            leaf: Node = [to_text(x) for x in motion]
-            if multiplier:
-                leaf = self.contacts.bound_leaf(motion, {rows[place]: multiplier})
-            regions[n].close(leaf)
+            used = {rows[place]: multiplier} if multiplier else {}
+            regions[n].close(self.contacts.bound_leaf(motion, used))
             done.add(n)
         return [region for n, region in enumerate(regions) if n not in done]
 
@@ -360,7 +358,12 @@ def resistance(
     found = find_equilibrium(contacts, wrench) or regions.search()
     if isinstance(found, Solution) or not shorten:
         return found
-    return min((found, *_others(contacts, wrench, effort)), key=lambda tree: len(json.dumps(tree)))
+    return min((found, *_others(contacts, wrench, effort)), key=_length)
+
+
+def _length(tree: Node) -> int:
+    """Return about how long a tree is in a certificate."""
+    return len(json.dumps(tree, default=lambda leaf: list(map(to_text, leaf.numbers))))
 
 
 def _others(contacts: IntegerContacts, wrench: RationalVector, effort: Effort) -> list[Node]:

@@ -10,18 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import chain
 from typing import Any, TypeAlias
 
 import numpy as np
 
-from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, to_text
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.core.contact_law import LinearQuestion, spring_force
 from equilibrium.core.contact_program import ContactProgram, Node as States
 from equilibrium.core.contacts import IntegerContacts, product
 from equilibrium.model.effort import Effort
-from equilibrium.model.solution import Solution
+from equilibrium.model.solution import Leaf, Solution
 
 #: A node of a proof, as certificates write it.
 Node: TypeAlias = Any
@@ -142,7 +141,7 @@ class StateSplits:
             forces[i] = force
         return Solution(solution.motion, tuple(forces))
 
-    def _leaf(self, program: ContactProgram) -> Node:
+    def _leaf(self, program: ContactProgram) -> Leaf:
         """Return a leaf, without the multipliers that follow from the region."""
         leaf = program.leaf()
         assert leaf is not None
@@ -157,20 +156,9 @@ class StateSplits:
             ):
                 rows[i] = (least, Fraction(0))
         moved = {i: row for i, row in leaf.displacements.items() if any(row)}
-        every = chain(leaf.motion, *rows.values(), *moved.values())
-        texts = iter(map(to_text, primitive(tuple(every))))
-        motion = [next(texts) for _ in leaf.motion]
-        listed = {i: [next(texts), next(texts)][: 2 if row[1] else 1] for i, row in rows.items()}
-        node: dict[str, Any] = {"virtual_motion": motion}
-        node["multipliers"] = {
-            str(self.open[i]): row
-            for i, row in listed.items()
-            # A detached contact without multipliers has these.
-            if row != ["0"] or program.states[i] != "detached"
-        }
-        if moved:
-            node["displacements"] = {str(self.open[i]): [next(texts), next(texts)] for i in moved}
-        return node if moved or node["multipliers"] else motion
+        # A detached contact without multipliers has multipliers 0.
+        used = {i: x for i, x in rows.items() if any(x) or program.states[i] != "detached"}
+        return Leaf(leaf.motion, used, moved).at(self.open).primitive()
 
     def _factor(self, i: int, motion: RationalVector) -> Fraction:
         """Return the least work of a unit normal force of a contact on a virtual motion."""

@@ -12,20 +12,16 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from itertools import chain
-from typing import Any
 
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
-    integer,
     primitive,
-    rational,
     to_text,
     without_denominators,
 )
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.solution import Solution
+from equilibrium.model.solution import Leaf, Solution
 
 from .motion_regions import HALF_SPACE, ORTHANTS
 from .region_states import Node
@@ -98,9 +94,7 @@ class SearchUnits:
         Args:
             region: generators of the node, in these units.
         """
-        if isinstance(node, list):
-            return self._leaf({"virtual_motion": node, "multipliers": {}})["virtual_motion"]
-        if "virtual_motion" in node:
+        if isinstance(node, Leaf):
             return self._leaf(node)
         if "orthants" in node:
             pairs = zip(node["orthants"], ORTHANTS, strict=True)
@@ -135,26 +129,11 @@ class SearchUnits:
         *_, one, step, turn = self._whole
         return math.gcd(*(x * u for x, u in zip(generator, (one, step, step, turn), strict=True)))
 
-    def _leaf(self, leaf: dict[str, Any]) -> dict[str, Any]:
+    def _leaf(self, leaf: Leaf) -> Leaf:
         """Return a leaf; its works are those in these units times a positive number."""
         turn, slip, one, *_ = self._whole
-        x, y, r = map(_number, leaf["virtual_motion"])
-        rows = {
-            i: [_number(z) * u for z, u in zip(row, (one, slip), strict=False)]
-            for i, row in leaf["multipliers"].items()
-        }
-        pins = {
-            i: [_number(z) * slip for z in row] for i, row in leaf.get("displacements", {}).items()
-        }
-        every = [x * one, y * one, r * turn, *chain(*rows.values(), *pins.values())]
-        texts = iter(map(to_text, primitive(every)))
-        found: dict[str, Any] = {"virtual_motion": [next(texts) for _ in range(3)]}
-        found["multipliers"] = {i: [next(texts) for _ in row] for i, row in rows.items()}
-        if pins:
-            found["displacements"] = {i: [next(texts) for _ in row] for i, row in pins.items()}
-        return found
-
-
-def _number(text: str) -> Fraction | int:
-    """Return a number of a leaf; most are integers."""
-    return rational(text) if "/" in text else integer(text)
+        units = [one, one, turn]
+        units += [unit for _ in leaf.multipliers for unit in (one, slip)]
+        units += [slip for row in leaf.displacements.values() for _ in row]
+        pairs = zip(leaf.numbers, units, strict=True)
+        return leaf.with_numbers(primitive([x * unit for x, unit in pairs]))
