@@ -204,8 +204,8 @@ class Parser(argparse.ArgumentParser):
 
 def _numbers_after(option: argparse.Action) -> int:
     """Return how many numbers an option takes at most."""
-    if option.nargs == "+" and option.type is not None:
-        return MAX_COUNT
+    if option.nargs == "+" and option.type is not None and "," not in str(option.metavar):
+        return MAX_COUNT  # points keep their commas
     numbers = isinstance(option.nargs, int) and option.type in (None, rational_argument)
     return option.nargs if numbers else 0  # type: ignore[return-value]
 
