@@ -371,8 +371,9 @@ class _Search:
         by_states = self._tree_by_states(value, document["tree"])
         if by_states is not None:
             is_narrow = gap.high - gap.low <= self.tolerance
-            for has_room in (True, False) if is_narrow else (False,):
-                yield {"tree": _carried_tree(family, value, by_states, has_room=has_room)}
+            # Of an assembly leaves are rounded, and so near their conditions.
+            for room in (1, 0) if is_narrow else (0,) if family.names is None else (-1, 0):
+                yield {"tree": _carried_tree(family, value, by_states, room)}
         yield {"tree": document["tree"]}
 
     def _tree_by_states(self, value: Fraction, tree: Any) -> Any:
@@ -463,18 +464,18 @@ def _carried(
     }
 
 
-def _carried_tree(family: ParametricQuestion, value: Fraction, tree: Any, *, has_room: bool) -> Any:
+def _carried_tree(family: ParametricQuestion, value: Fraction, tree: Any, room: int) -> Any:
     """Return a tree by states alone, with functions of the letter for the numbers of its leaves.
 
     Args:
-        has_room: see `_carried_leaf`.
+        room: of the leaves at the value: 1 for most room, -1 for least, 0 for those of the tree.
     """
     domain = Domain(Span(value, value), letter=family.letter)
     rows, load = function_rows(family, domain), family.load(domain)
     form = form_of(family, lambda number, _: Fraction(number))
     places = placed_leaves(tree, TreeQuestion(rows, load, form))
-    work = applied(rows, load) if has_room else ()
-    return _with_leaves(tree, lambda: _carried_leaf(family, value, rows, work, *next(places)))
+    work = applied(rows, load) if room else ()
+    return _with_leaves(tree, lambda: _carried_leaf(family, value, rows, work, room, *next(places)))
 
 
 def _carried_leaf(
@@ -482,6 +483,7 @@ def _carried_leaf(
     value: Fraction,
     rows: Sequence[Any],
     work: Sequence[Any],
+    room: int,
     leaf: Leaf,
     place: Place,
 ) -> Any:
@@ -533,7 +535,7 @@ def _carried_leaf(
         implied.append(bool(place.region) and state not in ("undecided", "detached"))
         values += leaf.multipliers.get(i, (Fraction(min(least) * implied[i]), Fraction(0)))
     if work:
-        values = _with_most_room(conditions, balance, equation([*work, *pushes]), value)
+        values = _with_room(conditions, balance, equation([*work, *pushes]), value, room)
     zeros = [equation([], k, 1) for k in range(n, size) if not values[k]]
     tight = [row for row in (*conditions, *slips) if not _at(row, values, value)]
     solved = _solved([balance, zeros, tight], values, value)
@@ -554,15 +556,18 @@ def _at(row: Sequence[Any], values: Sequence[Fraction], value: Fraction) -> Frac
     return sum((x.at(value) * y for x, y in zip(row, values, strict=False)), Fraction(0))
 
 
-def _with_most_room(
+def _with_room(
     conditions: Sequence[Sequence[Any]],
     equations: Sequence[Sequence[Any]],
     work: Sequence[Any],
     value: Fraction,
+    room: int,
 ) -> list[Fraction]:
-    """Return unknowns with which each condition is above 0 that is so for some; and the work is 1.
+    """Return unknowns with which the work is 1, and conditions are far above 0 or near it.
 
-    The rows are homogeneous; so each condition may be 1, if it is above 0.
+    Args:
+        room: 1: each condition is above 0 that is so for some unknowns; rows are homogeneous, so it
+            may be 1. -1: their sum is the least.
     """
     size, count = len(work) - 1, len(conditions)
 
@@ -573,10 +578,10 @@ def _with_most_room(
     bounds = [
         [Fraction(sign * (j == size + k)) for j in range(size + count)] + [Fraction(sign < 0)]
         for k in range(count)
-        for sign in (1, -1)
+        for sign in ((1, -1) if room > 0 else (1,))
     ]
     found = minimize(
-        [*[Fraction(0)] * size, *[Fraction(-1)] * count],
+        [*[Fraction(0)] * size, *[Fraction(-room)] * count],
         [*(row(terms, k) for k, terms in enumerate(conditions)), *bounds],
         [*map(row, equations), row(work, constant=-1)],
     )

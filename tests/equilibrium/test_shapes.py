@@ -680,6 +680,17 @@ class TestLetter:
         assert (span.low, span.high) == (Fraction(1, 3), Fraction(1, 2))
         assert values.verify()
 
+    def test_smooth_tube_has_few_proofs(self):
+        """It stands up to a radius of 8/5, see `test_tube_with_two_balls_tips`."""
+        bodies = [TUBE["bodies"][0] | {"weight": "3/4"}, *TUBE["bodies"][1:]]
+        known = TUBE | {"bodies": [*bodies[:2], bodies[2] | {"weight": 1}], "pairs": []}
+        made, _ = shapes_with_letter(known, "t=1/3..4/5")
+        values = resisted_values(made, "1/3", "4/5")
+        assert [str(span) for span in values.resisted] == ["[1/2, 4/5]"]
+        assert [str(span) for span in values.not_resisted] == ["[1/3, 1/2)"]
+        assert len(values.pieces) <= 4
+        assert all(values.verify())
+
     def test_value_without_a_proof_is_named(self):
         known = document(
             [disc("a", 0, 1, 1), disc("b", "2+(t^2-2)^2", 1, 1)], [walls((-9, 0), (9, 0))]
