@@ -22,15 +22,14 @@ from arrangement.console.workers import done, due
 from arrangement.library.arguments import entries
 from arrangement.numbers import budget
 from arrangement.numbers.exact import Rational, RationalVector
-from arrangement.numbers.linear.intervals import Interval
 from equilibrium.core.contacts import are_moderate, nearest
-from equilibrium.model.assembly import Assembly, Wrenches
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.effort import STEPS, Effort
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Open, Refutation, Solution
-from equilibrium.model.subject import LoadCase, Subject, read_load
+from equilibrium.model.subject import LoadCase, Subject, by_body, no_load, read_load
 
 from .as_printed import PrintedVerdict, solve_as_printed
 from .engines import PlanarEngine, SpatialEngine, answered, new_memory
@@ -194,9 +193,11 @@ class Solver(ReprMixin):
     @property
     def no_wrench(self) -> Any:
         """The wrench 0; of an assembly on each body."""
-        if isinstance(self.grasp, Assembly):
-            return self.grasp.read_wrenches({})
-        return (Fraction(0),) * self.grasp.wrench_size
+        return no_load(self.grasp)
+
+    def read(self, load: Load) -> Any:
+        """Return a wrench in exact numbers; of an assembly one for each body."""
+        return by_body(self.grasp, read_load(self.grasp, load))
 
     @property
     def choices(self) -> StateChoices:
@@ -243,38 +244,6 @@ class Solver(ReprMixin):
             memory = self._memory
         outcome = self.engine.outcome(load, effort, shorten=shorten, nodes=nodes, memory=memory)
         return self._verdict(load, outcome).accepted()
-
-    def magnitudes(self, base: Wrenches, along: Wrenches) -> tuple[Interval, ...]:
-        """Return all t >= 0 with ``base + t along`` resisted by an assembly."""
-        from .assemblies.magnitudes import assembly_magnitudes
-
-        loaded = any(c.contact.preload or c.contact.adhesion for c in self.grasp.contacts)
-        if base == self.no_wrench and not loaded and self.max_displacement is None:
-            # Without preload and adhesion the law scales: one verdict is that of all t > 0.
-            verdict = self.solve(along)
-            if verdict.decided:
-                return ((Fraction(0), None if verdict else Fraction(0)),)
-        return assembly_magnitudes(self.grasp, base, along, max_displacement=self.max_displacement)
-
-    def preloads(
-        self, wrenches: Wrenches, contacts: Iterable[int] | None = None
-    ) -> tuple[Interval, ...]:
-        """Return all preloads of chosen contacts with which an assembly resists wrenches.
-
-        Args:
-            contacts: numbers, from 1; all, if omitted.
-        """
-        from .assemblies.magnitudes import assembly_magnitudes
-
-        chosen = None if contacts is None else tuple(contacts)
-        return assembly_magnitudes(
-            self.grasp.with_preload(0, chosen),
-            wrenches,
-            self.no_wrench,
-            preload_slope=Fraction(1),
-            chosen=None if chosen is None else self.grasp.points_of(chosen),
-            max_displacement=self.max_displacement,
-        )
 
     def solve_many(
         self, wrenches: Iterable[Iterable[Rational]], *, jobs: int = 1, dask: str | None = None
@@ -353,7 +322,7 @@ class Solver(ReprMixin):
         return self.solve(wrench) if missed else self._verdict(wrench, Refutation(None))
 
 
-def prepare(grasp: Grasp | Solver) -> Solver:
+def prepare(grasp: Subject | Solver) -> Solver:
     """Return the solver of a planar grasp, or of an assembly; a solver is returned as it is.
 
     Raises:

@@ -63,6 +63,13 @@ def read_load(subject: Subject, wrench: Any) -> RationalVector:
     return subject.read_wrench(wrench)
 
 
+def no_load(subject: Subject) -> Any:
+    """Return the wrench 0; of an assembly on each body."""
+    if isinstance(subject, Assembly):
+        return subject.read_wrenches({})
+    return (Fraction(0),) * subject.wrench_size
+
+
 def rows_of(subject: Subject) -> ContactRows:
     """Return the rows of the law."""
     return subject.rows if isinstance(subject, Assembly) else ContactRows.of_grasp(subject)

@@ -25,12 +25,12 @@ from arrangement.numbers.linear.intervals import (
 from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contact_rows import sum_row
+from equilibrium.decide.assemblies.magnitudes import magnitudes_by_states
 from equilibrium.decide.nearby import DEPENDS
 from equilibrium.decide.robustness import MAX_ROUNDINGS, met_within_error, others
 from equilibrium.decide.solver import Solver, prepare
-from equilibrium.model.assembly import Wrenches
+from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError, UndecidedError
-from equilibrium.model.grasp import Grasp, read_wrench
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.subject import Subject
 from equilibrium.plane.states.contact_states import states_of_code
@@ -64,57 +64,59 @@ class Magnitudes(JsonMixin):
         return holds(self.intervals, magnitude)
 
 
-def assembly_magnitudes(solver: Solver, direction: Any, base: Any) -> Magnitudes:
-    """Return the exact set of t >= 0 for which an assembly resists ``base + t direction``.
+def resisted_magnitudes(grasp: Subject | Solver, direction: Any, base: Any = None) -> Magnitudes:
+    """Return the exact set of t >= 0 for which ``base + t direction`` is resisted.
 
     Args:
-        direction, base: a wrench for each body.
-
-    Raises:
-        GraspError: all of the direction is zero, or a wrench on what is no body.
-    """
-    along, start = map(solver.grasp.read_wrenches, (direction, base))
-    if not any(map(any, along.values())):
-        raise GraspError("all wrenches of the direction are zero; give one other than zero")
-    return Magnitudes(start, along, solver.magnitudes(start, along))
-
-
-def resisted_magnitudes(
-    grasp: Grasp | Solver, direction: Iterable[Any], base: Iterable[Any] = (0, 0, 0)
-) -> Magnitudes:
-    """Return the exact set of t >= 0 for which a grasp resists ``base + t direction``.
-
-    Args:
+        grasp: in the plane, or an assembly, which takes a wrench for each body.
         direction: of the wrench, ``(f_x, f_y, tau)``; not all zero.
-        base: a wrench that acts in any case.
+        base: a wrench that acts in any case; none if omitted.
 
     Raises:
-        GraspError: a zero direction, or a wrench of wrong length.
+        GraspError: a zero direction, a wrench of wrong length, or on what is no body.
+        UndecidedError: an assembly takes more nodes or steps than the limits allow.
 
     Complexity: two small systems for each choice of contact states, in floating point with a proven
-    error bound; for those that this leaves possible two exact linear programs. Source:
-    [HaasHeger2018], the maps of resisted forces, without search.
+    error bound; for those that this leaves possible two exact linear programs. Of an assembly by a
+    tree of states. Source: [HaasHeger2018], the maps of resisted forces, without search.
 
     >>> from equilibrium import read_grasp
     >>> resisted_magnitudes(read_grasp("paper-three-contacts-preload-1"), [0, 1, 0]).intervals
     ((Fraction(0, 1), Fraction(1, 1)),)
     """
-    along, start = read_wrench(direction), read_wrench(base)
-    if not any(along):
-        raise GraspError("direction is (0, 0, 0); give a wrench other than zero")
     solver = prepare(grasp)
+    along = solver.read(direction)
+    start = solver.no_wrench if base is None else solver.read(base)
+    if along == solver.no_wrench:
+        raise GraspError("direction is zero; give a wrench other than zero")
+    find = _of_assembly if isinstance(solver.grasp, Assembly) else _of_grasp
+    return Magnitudes(start, along, find(solver, start, along))
+
+
+def _of_grasp(solver: Solver, base: RationalVector, along: RationalVector) -> tuple[Interval, ...]:
     solver.choices.check_cost()
     screen = solver.choices.screen
-    possible = screen.codes[screen.possible(start, along)].tolist()
+    possible = screen.codes[screen.possible(base, along)].tolist()
     rows, bound = ContactRows.of_grasp(solver.grasp), solver.max_displacement
-    question = LinearQuestion(rows, start, along, max_displacement=bound)
+    question = LinearQuestion(rows, base, along, max_displacement=bound)
     tried = map(states_of_code, watched(possible, "states"))
     intervals = (ContactProgram(question, states).magnitudes() for states in tried)
     parts = [part for part in intervals if part is not None]
     # The screen speaks of t > 0 only.
-    if not any(low == 0 for low, _ in parts) and solver.solve(start).stable:
+    if not any(low == 0 for low, _ in parts) and solver.solve(base).stable:
         parts.append((Fraction(0), Fraction(0)))
-    return Magnitudes(start, along, union(parts))
+    return union(parts)
+
+
+def _of_assembly(solver: Solver, base: Wrenches, along: Wrenches) -> tuple[Interval, ...]:
+    loaded = any(c.contact.preload or c.contact.adhesion for c in solver.grasp.contacts)
+    if base == solver.no_wrench and not loaded and solver.max_displacement is None:
+        # Without preload and adhesion the law scales: one verdict is that of all t > 0.
+        verdict = solver.solve(along)
+        if verdict.decided:
+            return ((Fraction(0), None if verdict else Fraction(0)),)
+    bound = solver.max_displacement
+    return magnitudes_by_states(solver.grasp, base, along, max_displacement=bound)
 
 
 @dataclass(frozen=True, repr=False)
@@ -184,12 +186,9 @@ def _magnitudes_of(
     subject: Subject, solver: Solver, magnitudes: Magnitudes
 ) -> tuple[Interval, ...] | None:
     """Return the magnitudes that another grasp or assembly resists; None where undecided."""
-    base: Any = magnitudes.base
-    along: Any = magnitudes.direction
-    if isinstance(subject, Grasp):
-        return resisted_magnitudes(Solver(subject, solver.max_displacement), along, base).intervals
+    other, along = Solver(subject, solver.max_displacement), magnitudes.direction
     try:
-        return Solver(subject, solver.max_displacement).magnitudes(base, along)
+        return resisted_magnitudes(other, along, magnitudes.base).intervals
     except UndecidedError:
         return None
 

@@ -20,17 +20,15 @@ from arrangement.console.progress import watched
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.intervals import Interval, common, holds, union
-from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contact_rows import negated
 from equilibrium.decide.assemblies.ends import ends_of
-from equilibrium.decide.assemblies.magnitudes import magnitudes_of
+from equilibrium.decide.assemblies.magnitudes import magnitudes_by_states, part_questions
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.decide.state_choices import StateChoices
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp, chosen_contacts, read_wrench
-from equilibrium.model.rows import ContactRows
 from equilibrium.plane.states.contact_states import states_of_code
 
 from .friction import TOLERANCE, FrictionBracket, least_friction
@@ -118,17 +116,14 @@ def margin(grasp: Grasp | Solver, wrench: Any) -> Margin:
     (Fraction(0, 1), Fraction(2, 1))
     """
     solver = prepare(grasp)
-    if isinstance(solver.grasp, Assembly):
-        wrenches = solver.grasp.read_wrenches(wrench)
-        scaled = solver.magnitudes(solver.no_wrench, wrenches)
-        return Margin(wrenches, holds(scaled, Fraction(1)), scaled, solver)
-    w = read_wrench(wrench)
-    solver.choices.check_cost(_QUERIES)
-    if any(w):
-        found = resisted_magnitudes(solver, w).intervals
+    w = solver.read(wrench)
+    if isinstance(solver.grasp, Grasp):
+        solver.choices.check_cost(_QUERIES)
+    if w != solver.no_wrench:
+        factors = resisted_magnitudes(solver, w).intervals
     else:
-        found = (ALL,) if solver.solve(w).stable else ()
-    return Margin(w, holds(found, Fraction(1)), found, solver)
+        factors = (ALL,) if solver.solve(w).stable else ()
+    return Margin(w, holds(factors, Fraction(1)), factors, solver)
 
 
 def limit_words(solver: Solver, wrench: Any) -> list[str]:
@@ -137,15 +132,10 @@ def limit_words(solver: Solver, wrench: Any) -> list[str]:
     Empty where that is not established, where one multiple alone is resisted, and of many contacts,
     for which it takes long.
     """
-    is_assembly = isinstance(solver.grasp, Assembly)
-    loads = wrench.values() if is_assembly else [wrench]
-    if len(solver.grasp) > _MAX_CONTACTS_IN_WORDS or not any(map(any, loads)):
+    if len(solver.grasp) > _MAX_CONTACTS_IN_WORDS or solver.read(wrench) == solver.no_wrench:
         return []
     try:
-        if isinstance(solver.grasp, Assembly):
-            factors = solver.magnitudes(solver.no_wrench, wrench)
-        else:
-            factors = resisted_magnitudes(solver, wrench).intervals
+        factors = resisted_magnitudes(solver, wrench).intervals
     except (OutOfReachError, UndecidedError):
         return []
     near = min(factors, key=_distance, default=None)
@@ -210,7 +200,9 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
     possible = screen.possible(none, load) if any(load) else screen.possible(w)
     tried = watched(screen.codes[possible].tolist(), "contact states")
     numbers = tuple(given.contact_numbers)
-    question = _preload_question(given, numbers, w, bound)
+    bare, still = given.with_preload(0), (Fraction(0),) * 3
+    changes: Any = {"preload_slope": Fraction(1), "max_displacement": bound}
+    ((_, question),) = part_questions(bare, w, still, **changes)
     found = (ContactProgram(question, states).magnitudes() for states in map(states_of_code, tried))
     parts += [part for part in found if part is not None]
     return Preloads((w,), numbers, union(parts))
@@ -250,30 +242,11 @@ def chosen_preloads(
             f"contacts are {shown(list(chosen))} and wrenches {len(listed)}; expected at least one "
             f"wrench, and numbers of contacts from 1 to {len(every)}"
         )
-    subject, bound = solver.grasp, solver.max_displacement
-    found: tuple[Interval, ...] = (ALL,)
-    if isinstance(subject, Assembly):
-        loads: tuple[Any, ...] = tuple(map(subject.read_wrenches, listed))
-        intervals = (solver.preloads(load, chosen) for load in loads)
-    else:
-        loads = tuple(map(read_wrench, listed))
-        questions = (_preload_question(subject, chosen, load, bound) for load in loads)
-        intervals = (magnitudes_of(question) for question in questions)
-    for some in intervals:
-        found = common(found, some)
-    return Preloads(loads, chosen, found)
-
-
-def _preload_question(
-    grasp: Grasp, contacts: tuple[int, ...], wrench: RationalVector, bound: Fraction | None
-) -> LinearQuestion:
-    """Return the question with the preload of chosen contacts as the magnitude."""
-    return LinearQuestion(
-        ContactRows.of_grasp(grasp.with_preload(0, contacts)),
-        wrench,
-        (Fraction(0),) * 3,
-        preload_slope=Fraction(1),
-        shares=tuple(contact.share for contact in grasp),
-        chosen=grasp.points_of(contacts),
-        max_displacement=bound,
-    )
+    loads = tuple(map(solver.read, listed))
+    bare, places = solver.grasp.with_preload(0, chosen), solver.grasp.points_of(chosen)
+    changes: Any = {"preload_slope": Fraction(1), "max_displacement": solver.max_displacement}
+    shared: tuple[Interval, ...] = (ALL,)
+    for load in loads:
+        sets = bare, load, solver.no_wrench, places
+        shared = common(shared, magnitudes_by_states(*sets, **changes))
+    return Preloads(loads, chosen, shared)

@@ -28,7 +28,6 @@ from .best_direction import BestDirection, best_direction
 from .line import (
     Magnitudes,
     RoundedEnds,
-    assembly_magnitudes,
     ends_within_error,
     resisted_magnitudes,
 )
@@ -220,10 +219,8 @@ class ResistedSet(HintsMixin, JsonMixin):
             OutOfReachError: too many choices of contact states.
         """
         start: Any = self._load(base)
-        if isinstance(self._solver.grasp, Assembly):
-            return assembly_magnitudes(self._solver, direction, start)
-        if self._solver.grasp.dimension == 2:
-            return resisted_magnitudes(self._of_grasp(), direction, start)
+        if isinstance(self._solver.grasp, Assembly) or self._solver.grasp.dimension == 2:
+            return resisted_magnitudes(self._solver, direction, start)
         from .along_in_space import spatial_magnitudes
 
         if self.pyramid is not None:

@@ -23,11 +23,10 @@ from arrangement.numbers.exact import dot
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.core.contact_program import ContactProgram
-from equilibrium.model.assembly import SIZE, Assembly
 from equilibrium.model.contact import Contact
 from equilibrium.model.effort import Effort
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.rows import ContactRows
+from equilibrium.model.subject import Subject, no_load
 
 from .magnitudes import StateTree, complete_programs, part_questions
 
@@ -105,7 +104,7 @@ class _PartQuestion(NamedTuple):
 
 
 def ends_of(
-    grasp: Grasp | Assembly,
+    subject: Subject,
     base: Any,
     along: Any,
     intervals: Iterable[Interval],
@@ -115,7 +114,7 @@ def ends_of(
     """Return what gives at both ends of each interval of magnitudes.
 
     Args:
-        base, along: wrenches on the grasp in the plane, or on the bodies.
+        base, along: wrenches on a grasp in the plane, or on the bodies.
         intervals: the t >= 0 with ``base + t along`` resisted.
         preloads: `preload_slope` and `chosen`, see `LinearQuestion`: what t adds to preloads.
 
@@ -124,7 +123,7 @@ def ends_of(
         single magnitude the second of the pair alone answers.
     """
     changes = {"max_displacement": max_displacement, **preloads}
-    parts = list(_parts(grasp, base, along, changes))
+    parts = list(_parts(subject, base, along, changes))
     return tuple(
         (
             _given_by_parts(parts, low, -1) if low and low != high else None,
@@ -135,20 +134,16 @@ def ends_of(
 
 
 def _parts(
-    grasp: Grasp | Assembly, base: Any, along: Any, changes: dict[str, Any]
+    subject: Subject, base: Any, along: Any, changes: dict[str, Any]
 ) -> Iterator[_PartQuestion]:
-    if isinstance(grasp, Assembly):
-        chosen = changes.pop("chosen", None)
-        for part, question in part_questions(grasp, base, along, chosen):
-            groups = [[k] for k in range(len(part.contacts))]
+    for part, question in part_questions(subject, base, along, **changes):
+        if isinstance(subject, Grasp):
+            places = [_along_pad(contact) for contact in subject]
+            groups = [sorted(points, key=places.__getitem__) for points in subject.groups]
+            yield _PartQuestion(question, groups, subject.contact_numbers)
+        elif part is not None:
             numbers = [i + 1 for i in part.contacts]
-            yield _PartQuestion(replace(question, **changes), groups, numbers)
-        return
-    rows = ContactRows.of_grasp(grasp)
-    question = LinearQuestion(rows, base, along, **changes)
-    places = [_along_pad(contact) for contact in grasp]
-    groups = [sorted(points, key=places.__getitem__) for points in grasp.groups]
-    yield _PartQuestion(question, groups, grasp.contact_numbers)
+            yield _PartQuestion(question, [[k] for k in range(len(numbers))], numbers)
 
 
 def _along_pad(contact: Contact) -> Fraction:
@@ -201,16 +196,13 @@ def what_gives(question: LinearQuestion, groups: Groups, end: Fraction, way: int
     return giving or None
 
 
-def limits_of(grasp: Grasp | Assembly, load: Any) -> Giving | None:
+def limits_of(subject: Subject, load: Any) -> Giving | None:
     """Return which contacts are at a limit in all equilibria of one load; None if none or unknown.
 
     Those at their friction limit slip; those without force are unloaded.
     """
     given: list[Giving] = []
-    still = (
-        {name: [0] * SIZE for name in load} if isinstance(grasp, Assembly) else [Fraction(0)] * SIZE
-    )
-    for part in _parts(grasp, load, still, {}):
+    for part in _parts(subject, load, no_load(subject), {}):
         tree = StateTree(part.question, Effort.usual(_STEPS), _NODES * budget.times())
         try:
             common = [_common(program) for program in complete_programs(tree)]

@@ -12,7 +12,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple, TypeAlias
 
@@ -31,6 +30,9 @@ from equilibrium.core.contact_program import ContactProgram, Node
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.effort import STEPS, Effort
 from equilibrium.model.errors import UndecidedError
+from equilibrium.model.grasp import Grasp
+from equilibrium.model.rows import ContactRows
+from equilibrium.model.subject import Subject, no_load
 
 from .parts import AssemblyPart, parts_of, with_root_as_ground
 
@@ -41,20 +43,18 @@ MAX_NODES = 4000
 _ALL: tuple[Interval, ...] = ((Fraction(0), None),)
 
 
-def assembly_magnitudes(
-    assembly: Assembly,
-    base: Wrenches,
-    along: Wrenches,
-    *,
-    preload_slope: Fraction = Fraction(0),
+def magnitudes_by_states(
+    subject: Subject,
+    base: Any,
+    along: Any,
     chosen: frozenset[int] | None = None,
-    max_displacement: Fraction | None = None,
+    **changes: Any,
 ) -> tuple[Interval, ...]:
-    """Return all t >= 0 for which an assembly resists ``base + t along``, exactly.
+    """Return all t >= 0 for which an assembly, or a grasp in the plane, resists ``base + t along``.
 
     Args:
-        preload_slope: what each unit of t adds to every preload.
-        chosen: places of the contacts whose preload it is; None for all.
+        chosen: places of the contacts that `preload_slope` is about; None for all.
+        changes: preload_slope, max_displacement; see `LinearQuestion`.
 
     Returns:
         disjoint, closed, increasing.
@@ -63,17 +63,15 @@ def assembly_magnitudes(
         UndecidedError: a part takes more nodes or steps than the limits allow.
     """
     intervals = _ALL
-    moves = zip(*(parts_of(assembly, wrenches)[1] for wrenches in (base, along)), strict=True)
-    for (_, total), (_, slope) in moves:
-        rows = [(sign * x, sign * y) for x, y in zip(slope, total, strict=True) for sign in (1, -1)]
-        still = where_positive(rows)
-        intervals = common(intervals, () if still is None else (still,))
-    for _, question in part_questions(assembly, base, along, chosen):
+    if isinstance(subject, Assembly):
+        floating = (parts_of(subject, wrenches)[1] for wrenches in (base, along))
+        for (_, total), (_, slope) in zip(*floating, strict=True):
+            pairs = zip(slope, total, strict=True)
+            still = where_positive([(s * x, s * y) for x, y in pairs for s in (1, -1)])
+            intervals = common(intervals, () if still is None else (still,))
+    for _, question in part_questions(subject, base, along, chosen, **changes):
         if intervals:
-            changed = replace(
-                question, preload_slope=preload_slope, max_displacement=max_displacement
-            )
-            intervals = common(intervals, magnitudes_of(changed))
+            intervals = common(intervals, _magnitudes(question))
     return intervals
 
 
@@ -99,12 +97,12 @@ def surviving_states(
         UndecidedError: a part takes more nodes or steps than the limits allow.
     """
     survivors = []
-    pairs = part_questions(assembly, wrenches, assembly.read_wrenches({}), chosen)
+    changes = {"frictions": frictions, "max_displacement": max_displacement}
+    pairs = part_questions(assembly, wrenches, no_load(assembly), chosen, **changes)
     questions = [question for _, question in pairs]
     if any(any(total) for _, total in parts_of(assembly, wrenches)[1]):
         return None
-    for question, first in zip(questions, known or [None] * len(questions), strict=True):
-        ranged = replace(question, frictions=frictions, max_displacement=max_displacement)
+    for ranged, first in zip(questions, known or [None] * len(questions), strict=True):
         if first is not None and ContactProgram(ranged, first).feasible:
             survivors.append(first)
         elif (states := _survivor(ranged)) is not None:
@@ -151,11 +149,12 @@ def part_equilibria(
     Raises:
         UndecidedError: a part has too many choices of states.
     """
-    none = assembly.read_wrenches({})
     equilibria = []
-    for part, question in part_questions(assembly, wrenches, none):
-        bounded = replace(question, max_displacement=max_displacement)
-        with _limited(bounded) as tree:
+    still = no_load(assembly)
+    questions = part_questions(assembly, wrenches, still, max_displacement=max_displacement)
+    for part, question in questions:
+        assert part is not None
+        with _limited(question) as tree:
             complete = list(complete_programs(tree))
             # Of equal sets the one with most detached, then most sticking contacts stays.
             complete.sort(key=lambda x: (-x.states.count("detached"), -x.states.count("stick")))
@@ -184,18 +183,31 @@ def complete_programs(tree: StateTree) -> Iterator[ContactProgram]:
 
 
 def part_questions(
-    assembly: Assembly, base: Wrenches, along: Wrenches, chosen: frozenset[int] | None = None
-) -> Iterator[tuple[AssemblyPart, LinearQuestion]]:
-    """Yield each part with its question, those of few contacts first."""
-    both = zip(*(parts_of(assembly, wrenches)[0] for wrenches in (base, along)), strict=True)
+    subject: Subject,
+    base: Any,
+    along: Any,
+    chosen: frozenset[int] | None = None,
+    **changes: Any,
+) -> Iterator[tuple[AssemblyPart | None, LinearQuestion]]:
+    """Yield each part with its question, those of few contacts first; one without for a grasp.
+
+    Args:
+        changes: what else the questions have, see `LinearQuestion`.
+    """
+    if isinstance(subject, Grasp):
+        shares = tuple(contact.share for contact in subject)
+        given = {"chosen": chosen, "shares": shares, **changes}
+        yield None, LinearQuestion(ContactRows.of_grasp(subject), base, along, **given)
+        return
+    both = zip(*(parts_of(subject, wrenches)[0] for wrenches in (base, along)), strict=True)
     for part, slope in sorted(both, key=lambda pair: len(pair[0].contacts)):
         load, change = (
             tuple(x for name in part.bodies for x in one.wrenches[name]) for one in (part, slope)
         )
         places = enumerate(part.contacts)
         own = None if chosen is None else frozenset(k for k, i in places if i in chosen)
-        rows = with_root_as_ground(assembly, part).rows
-        yield part, LinearQuestion(rows, load, change, chosen=own)
+        rows = with_root_as_ground(subject, part).rows
+        yield part, LinearQuestion(rows, load, change, chosen=own, **changes)
 
 
 class StateTree:
@@ -250,12 +262,8 @@ def _limited(question: LinearQuestion) -> Iterator[StateTree]:
         ) from None
 
 
-def magnitudes_of(question: LinearQuestion) -> tuple[Interval, ...]:
-    """Return all t >= 0 with an equilibrium of one part, or of a grasp in the plane.
-
-    Raises:
-        UndecidedError: more nodes or steps than the limits allow.
-    """
+def _magnitudes(question: LinearQuestion) -> tuple[Interval, ...]:
+    """Return all t >= 0 with an equilibrium of one part."""
     intervals: tuple[Interval, ...] = ()
     with _limited(question) as tree:
         for program in tree:
