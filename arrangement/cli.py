@@ -47,6 +47,7 @@ _SYNONYMS = {
     "regions": "arrangement count FILE",
     "chi": "arrangement count FILE",
     "bounds": "proofs-check run slip-state-counts fukuda-bound",
+    "families": "arrangement list --families",
     "census": "arrangement list --classes M",
     "import": "arrangement convert FILE --from FORMAT --number K, or arrangement list FILE",
     "plot": "arrangement draw",

@@ -94,8 +94,9 @@ def refusal(
     return InputError(f"{mistake}; {meant}{remedy} {', '.join(names) or 'none'}")
 
 
-#: How alike a misspelt name is to the name that is meant: "zone" and "cone" are less so.
-_ALIKE = 0.8
+#: How alike a misspelt name is to the name that is meant: "zone" and "cone" are less so, and
+#: "decone" and "cone".
+_ALIKE = 0.81
 
 
 def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> AttributeError:
@@ -144,7 +145,7 @@ class _Hints(type):
                 raise
 
 
-class HintsMixin(metaclass=_Hints):
+class InstanceHintsMixin:
     """A value that answers an attribute which it does not have with the name to use.
 
     Attributes:
@@ -160,3 +161,9 @@ class HintsMixin(metaclass=_Hints):
             if hasattr(type(self), name):  # an error inside a property is not a missing name
                 return object.__getattribute__(self, name)
             raise missing_attribute(self, name, self._synonyms)
+
+
+class HintsMixin(InstanceHintsMixin, metaclass=_Hints):
+    """A value whose class answers so, too; it takes longer to make (0.6 microseconds)."""
+
+    __slots__ = ()

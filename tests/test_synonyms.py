@@ -67,6 +67,7 @@ EXAMPLE = files("proofs_check.examples") / "triangles.py"
 #: Values for the letters of what the packages answer.
 VALUES = {
     "A": LINES,
+    "r": LINES.bounded_regions()[0],
     "S": Segments([((0, 0), (4, 4)), ((0, 4), (4, 0))]),
     "normal": [1, 0],
     "offset": 1,
@@ -90,11 +91,12 @@ VALUES = {
     ("owner", "table"),
     [
         (VALUES["S"], synonyms.SEGMENTS),
+        (VALUES["r"], synonyms.FACES),
         (arrangement, synonyms.PACKAGE),
         (equilibrium, equilibrium._SYNONYMS),
         (proofs_check, proofs_check._SYNONYMS),
     ],
-    ids=["segments", "arrangement", "equilibrium", "proofs_check"],
+    ids=["segments", "faces", "arrangement", "equilibrium", "proofs_check"],
 )
 def test_names_of_segments_and_packages_run(owner, table, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
@@ -139,7 +141,7 @@ def test_one_name_means_one_thing():
         assert known[word.lower()] == name, word
 
 
-@pytest.mark.parametrize("name", ["zon", "unbounded_face_list", "cut"])
+@pytest.mark.parametrize("name", ["zon", "unbounded_face_list", "cut", "decone"])
 def test_names_that_are_only_alike_get_no_hint(name):
     with pytest.raises(AttributeError, match=f"'{name}'$"):
         getattr(LINES, name)

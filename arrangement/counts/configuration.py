@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,7 +84,9 @@ def pivot_columns(rows: Sequence[IntegerVector], width: int) -> tuple[int, ...]:
 
 def indices(arrangement: Planes, planes: Indices) -> tuple[int, ...]:
     """Return plane indices, each checked."""
-    chosen = (planes,) if isinstance(planes, int) else tuple(planes)
+    chosen: tuple[Any, ...] = (planes,) if isinstance(planes, int) else tuple(planes)
+    if len(chosen) == 1 and isinstance(chosen[0], Iterable):
+        chosen = tuple(chosen[0])
     for plane in chosen:
         if isinstance(plane, bool) or not 0 <= plane < len(arrangement):
             raise InputError(

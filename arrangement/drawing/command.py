@@ -27,6 +27,14 @@ from .views import KINDS, Drawings, Printing
 _COMMON = {"output", "view", "model", "width", "font", "font_size", "theme", "legend", "camera"}
 
 
+#: Other words for options of pictures, with what to write.
+_SYNONYMS = {
+    "--format": "-o PATH with its ending, such as .svg",
+    "--no-labels": "--labels none",
+    "--no-legend": "--legend none",
+}
+
+
 class _Use(NamedTuple):
     """An option of a view, model or page."""
 
@@ -75,7 +83,7 @@ def add_options(
         if flag not in own:
             _add(parser, uses[flag], asked)
     names = {f"--{old}": f"--{new}" for old, new in OPTION_SYNONYMS.items() if new in uses}
-    parser.synonyms = {**parser.synonyms, **names}
+    parser.synonyms = {**parser.synonyms, **_SYNONYMS, **names}
     added = {*parser._actions} - before
     if asked:
         _describe(parser, drawings, asked)

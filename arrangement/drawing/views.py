@@ -74,13 +74,19 @@ TextKind: TypeAlias = Annotated[str | None, Syntax(metavar="KIND")]
 OPTION_SYNONYMS = {
     "axes": "slice",
     "base": "bottom",
+    "cmap": "colour",
     "color": "colour",
     "colors": "colours",
     "direction": "camera",
     "directions": "rays",
+    "figsize": "width",
+    "highlight": "colours",
+    "palette": "colour",
     "piece": "equilibrium",
     "plane": "section",
     "turn": "rotation",
+    "xlim": "window",
+    "ylim": "window",
 }
 
 

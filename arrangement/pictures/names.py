@@ -61,6 +61,8 @@ class RegionLabels:
         """
         self.items = items or items_of(arrangement)
         self.arrangement, self._own = arrangement, None
+        if isinstance(labels, bool):
+            labels = None if labels else "none"
         if labels is not None and labels not in LABELS:
             self._own = self._read(labels)
             some = set(self._own.values()) - {None}

@@ -7,14 +7,15 @@ face.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from arrangement import synonyms
 from arrangement.console.number_form import ReprMixin
-from arrangement.errors import InputError
+from arrangement.errors import InputError, InstanceHintsMixin
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -38,7 +39,7 @@ _SHOWN = 40
 
 
 @dataclass(frozen=True, repr=False)
-class Face(ReprMixin):
+class Face(InstanceHintsMixin, ReprMixin):
     """A face of an arrangement: the set of all points with one sign vector.
 
     Faces are equal when they are the same set of the same planes, whatever point stands for them.
@@ -63,6 +64,8 @@ class Face(ReprMixin):
     dimension: int
     witness: RationalVector = field(compare=False)
     planes: Planes = field(hash=False)
+
+    _synonyms: ClassVar[Mapping[str, str]] = synonyms.FACES
 
     def __repr__(self) -> str:
         text = sign_text(self.signs[:_SHOWN])

@@ -63,6 +63,7 @@ _MOST_NAMED = 2
 _REMEDIES = {
     ("on", GRASP): "a grasp takes --wrench F_X F_Y TAU",
     ("along", GRASP): "a grasp takes --wrench F_X F_Y TAU",
+    ("output", GRASP): "--certificate OUT.json writes the proof, `equilibrium draw` a picture",
     ("preload", "--modes"): "modes do not depend on it",
 }
 

@@ -49,8 +49,9 @@ def add_command_solve(commands: Any) -> None:
     """Add solve."""
     text = "decide whether a grasp, or an assembly of bodies, resists a wrench"
     answers = ("resisted", "not resisted", "undecided")
-    parser = add_command(commands, "solve", _solve, text, *answers, heading="common")
+    parser: Any = add_command(commands, "solve", _solve, text, *answers, heading="common")
     loads = add_applied(parser, required=False)
+    parser.strays[r"[^-].*\.(csv|npz)"] = "--wrenches FILE for loads"
     add_on_body(loads)
     loads.add_argument(
         "--wrenches",

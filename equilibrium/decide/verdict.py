@@ -105,6 +105,8 @@ class Verdict(HintsMixin):
     _synonyms: ClassVar[Mapping[str, str]] = {
         **{word: name.removeprefix("solve(G, w).") for word, name in NAMES.items()},
         "check": "verify()",
+        "draw": "grasp.draw(wrench=wrench)",
+        "explain": "certificate",
         "is_stable": "stable",
         "margin": "ResistedSet(grasp).margin(wrench)",
         "motion": "solution.motion, or motions of an assembly",

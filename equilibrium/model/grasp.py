@@ -76,7 +76,7 @@ class Grasp(HintsMixin, DrawableGrasp):
 
     _synonyms: ClassVar[Mapping[str, str]] = {
         **NAMES,
-        **dict.fromkeys(("from_csv", "from_file", "from_json", "load"), "read_grasp(path)"),
+        **dict.fromkeys(("from_csv", "from_file", "from_json", "load", "read"), "read_grasp(path)"),
         "add_contact": "Grasp([*grasp.contacts, contact])",
         "along": "ResistedSet(grasp).along(wrench)",
         "compare": "compare(grasp, wrench)",

@@ -90,6 +90,7 @@ class ResistedSet(HintsMixin, JsonMixin):
         "pieces": "polyhedra",
         "plot": "draw()",
         "region": "slice(u, v)",
+        "resists": "contains(wrench)",
         "resisted_magnitudes": "along(direction)",
         "resisted_region": "slice(u, v)",
         "search_map": "search()",

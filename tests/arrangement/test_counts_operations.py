@@ -97,6 +97,13 @@ def test_impossible_operations_say_why(operation, arguments, message):
         operation(planes, *arguments)
 
 
+def test_planes_may_be_given_as_a_list():
+    planes = Arrangement([[1, 0], [1, 0], [0, 1]], [0, 1, 0])
+    assert planes.deletion([0, 2]) == planes.deletion(0, 2) == planes[1:2]
+    assert planes.restriction([0]) == planes.restriction(0)
+    assert planes.localization([0, 2]) == planes.localization(0, 2)
+
+
 @given(arrangements(dimensions=(1, 4), planes=(0, 5)))
 def test_deletion_and_restriction_run_to_their_end(planes):
     """Down to spaces without planes, R^0 among them, they give the characteristic polynomial."""

@@ -120,6 +120,12 @@ class TestPictures:
         assert [x.style for x in plain.items] == [x.style for x in other.items]
         assert [k.text for k in plain.legend.keys] == [k.text for k in other.legend.keys]
 
+    def test_labels_may_be_true_or_false(self):
+        plain = [texts(draw_lines.scene(LINES, labels=kind)) for kind in (True, False)]
+        usual = [texts(draw_lines.scene(LINES, labels=kind)) for kind in (None, "none")]
+        assert [x.keys() for x in plain] == [x.keys() for x in usual]
+        assert plain[0].keys() != plain[1].keys()
+
     def test_coincident_planes_have_the_look_of_the_first(self):
         scene = draw_lines.scene(LINES, colours={4: "gold"})
         assert named(scene)["line-1"].style["ec"] == "#ffd700"

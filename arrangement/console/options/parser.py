@@ -165,7 +165,11 @@ class Parser(argparse.ArgumentParser):
             for action in self._actions
             if action.option_strings and action.dest not in _EVERYWHERE
         ]
-        few = f"; expected one of {', '.join(own)}" if 0 < len(own) <= _FEW else ""
+        few = (
+            f"; expected one of {', '.join(own)}"
+            if self._subparsers is None and 0 < len(own) <= _FEW
+            else ""
+        )
         near = _suggestion(
             name.lstrip("-"), [x.lstrip("-") for x in self._option_string_actions], "--", _ALIKE
         )
