@@ -22,10 +22,10 @@ from traitlets.config import Config
 
 DOCS = Path(__file__).resolve().parent
 SETTINGS = {
-    "extensions": ["sphinx_markdown_builder"],
+    "extensions": ["sphinx_markdown_builder", "pagetools.synonyms", "pagetools.thumbnails"],
     "default_role": "code",
     # What only the build of the pages knows: the reference.
-    "exclude_patterns": ["_build", "_generated", "api", "commands.rst", "gallery.rst"],
+    "exclude_patterns": ["_build", "_generated", "templates", "api", "commands*", "gallery.rst"],
     "suppress_warnings": ["toc", "ref"],
 }
 _FENCE = re.compile(r"(?ms)^```(pycon|console|python file=\S+)\n(.*?)^```$")
