@@ -6,7 +6,6 @@ Two of them, magnitudes of a load and its margin, are for assemblies of several 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.options import values
@@ -113,10 +112,10 @@ def _resisted(arguments: argparse.Namespace) -> int:
     bodies = bodies_of(arguments)
     if bodies is not None:
         return show(arguments, *_of_assembly(arguments, bodies), bodies.assembly)
-    form, answer = _form(arguments)
+    form = _form(arguments)
     _check_form(arguments, GRASP, form)
     grasp = grasp_of(arguments)
-    return show(arguments, *answer(arguments, grasp), grasp)
+    return show(arguments, *_answer(arguments, grasp, form), grasp)
 
 
 def _check_form(arguments: argparse.Namespace, subject: str | None, form: str) -> None:
@@ -150,19 +149,47 @@ def _values(arguments: argparse.Namespace) -> Answer:
     return values_answer(resisted_values(family, low, high, tolerance=tolerance))
 
 
-def _form(
-    arguments: argparse.Namespace,
-) -> tuple[str, Callable[[argparse.Namespace, Grasp], Answer]]:
-    """Return which form of the command is meant, with its function."""
+def _form(arguments: argparse.Namespace) -> str:
+    """Return which form of the command is meant."""
     if arguments.best_direction is not None:
-        return BEST, _best_direction
+        return BEST
     if has_load(arguments):
-        return ("--margin", _margin) if arguments.margin else (LOAD, _along)
+        return "--margin" if arguments.margin else LOAD
     if arguments.slice is not None:
-        return "--slice", _slice
+        return "--slice"
     if arguments.smallest:
-        return "--smallest", _smallest
-    return ("--search", _search) if arguments.search else (WHOLE_SET, _whole)
+        return "--smallest"
+    return "--search" if arguments.search else WHOLE_SET
+
+
+def _answer(arguments: argparse.Namespace, grasp: Grasp, form: str) -> Answer:
+    """Return the answer about a grasp in one of the forms."""
+    from equilibrium.wrench_sets import text
+
+    resisted, base = _set(arguments, grasp), arguments.base or 0
+    if form == LOAD:
+        if arguments.candidates is not None:
+            return _candidates(arguments, grasp, resisted)
+        magnitudes: Any = resisted.along(applied(arguments, grasp), base)
+        if grasp.dimension == 3:
+            return text.spatial_answer(magnitudes)
+        return text.along_answer(resisted, magnitudes)
+    if form == "--margin":
+        return _margin(arguments, grasp, resisted)
+    if form == BEST:
+        load = _with_base(arguments, grasp) if has_load(arguments) else base or (0, 0, 0)
+        return text.direction_answer(resisted.best_direction(load, arguments.best_direction), grasp)
+    if form == "--smallest":
+        length = 1 if arguments.torque_length is None else arguments.torque_length
+        return text.smallest_answer(resisted.smallest_outside(base, length), grasp)
+    if form == "--slice":
+        u, v = arguments.slice
+        return text.region_answer(resisted.slice(u, v, arguments.origin or 0))
+    if form == "--search":
+        chosen = {name: getattr(arguments, name) for name in ("rays", "tolerance", "max_magnitude")}
+        options = {name: value for name, value in chosen.items() if value is not None}
+        return text.search_answer(resisted.search(**options), grasp)
+    return text.set_answer(resisted)
 
 
 def _of_assembly(arguments: argparse.Namespace, bodies: Bodies) -> Answer:
@@ -194,27 +221,15 @@ def _set(arguments: argparse.Namespace, grasp: Grasp | Assembly) -> ResistedSet:
     return ResistedSet(grasp, max_displacement=arguments.max_displacement)
 
 
-def _along(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
-    from equilibrium.wrench_sets.text import along_answer, spatial_answer
-
-    if arguments.candidates is not None:
-        return _candidates(arguments, grasp)
-    resisted = _set(arguments, grasp)
-    magnitudes: Any = resisted.along(applied(arguments, grasp), arguments.base or 0)
-    return (
-        spatial_answer(magnitudes) if grasp.dimension == 3 else along_answer(resisted, magnitudes)
-    )
-
-
-def _candidates(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
+def _candidates(arguments: argparse.Namespace, grasp: Grasp, resisted: ResistedSet) -> Answer:
     """Return which candidate contacts, each added alone, make the grasp resist the load."""
     from equilibrium.grasps.inputs import read_any
     from equilibrium.wrench_sets.text import Answer
 
     candidates = read_any(arguments.candidates, round_normals=arguments.round_normals)
     wrench = _with_base(arguments, grasp)
-    sets = _set(arguments, grasp).with_contact(candidates.grasp)
-    verdicts = [resisted.solve(wrench).verdict for resisted in sets]
+    with_each = resisted.with_contact(candidates.grasp)
+    verdicts = [changed.solve(wrench).verdict for changed in with_each]
     tried = list(zip(candidates.grasp.parts, verdicts, strict=True))
     lines = [
         f"candidate {i}  {verdict:<12}  {contact_words(points)}"
@@ -236,36 +251,7 @@ def _with_base(arguments: argparse.Namespace, grasp: Grasp) -> list[Any]:
     return list(map(sum, zip(*loads, strict=True)))
 
 
-def _smallest(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
-    from equilibrium.wrench_sets.text import smallest_answer
-
-    length = 1 if arguments.torque_length is None else arguments.torque_length
-    smallest = _set(arguments, grasp).smallest_outside(arguments.base or 0, length)
-    return smallest_answer(smallest, grasp)
-
-
-def _best_direction(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
-    from equilibrium.wrench_sets.text import direction_answer
-
-    load = _with_base(arguments, grasp) if has_load(arguments) else arguments.base or (0, 0, 0)
-    found = _set(arguments, grasp).best_direction(load, arguments.best_direction)
-    return direction_answer(found, grasp)
-
-
-def _slice(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
-    from equilibrium.wrench_sets.text import region_answer
-
-    u, v = arguments.slice
-    return region_answer(_set(arguments, grasp).slice(u, v, arguments.origin or 0))
-
-
-def _whole(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
-    from equilibrium.wrench_sets.text import set_answer
-
-    return set_answer(_set(arguments, grasp))
-
-
-def _margin(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
+def _margin(arguments: argparse.Namespace, grasp: Grasp, resisted: ResistedSet) -> Answer:
     from equilibrium.grasps.inputs.documents import question_document
 
     wrench = applied(arguments, grasp)
@@ -275,7 +261,7 @@ def _margin(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
             "--margin is for grasps in the plane and assemblies; in space omit it: the magnitudes "
             "t that are printed are the factors of the load"
         )
-    return _margin_of(arguments, _set(arguments, grasp), wrench)
+    return _margin_of(arguments, resisted, wrench)
 
 
 def _margin_of(arguments: argparse.Namespace, resisted: ResistedSet, load: Any) -> Answer:
@@ -286,11 +272,3 @@ def _margin_of(arguments: argparse.Namespace, resisted: ResistedSet, load: Any) 
         raise GraspError("--also goes with --contacts")
     bound = {} if arguments.tolerance is None else {"tolerance": arguments.tolerance}
     return margin_answer(resisted, resisted.margin(load), chosen, also or (), **bound)
-
-
-def _search(arguments: argparse.Namespace, grasp: Grasp) -> Answer:
-    from equilibrium.wrench_sets.text import search_answer
-
-    chosen = {name: getattr(arguments, name) for name in ("rays", "tolerance", "max_magnitude")}
-    options = {name: value for name, value in chosen.items() if value is not None}
-    return search_answer(_set(arguments, grasp).search(**options), grasp)
