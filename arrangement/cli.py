@@ -120,7 +120,7 @@ def _parser() -> Parser:
 def _add_count(count: argparse.ArgumentParser) -> None:
     count.add_argument(
         "--time-limit",
-        type=values.length_argument,
+        type=values.seconds_argument,
         metavar="SECONDS",
         help="stop then and print the coefficients found so far",
     )

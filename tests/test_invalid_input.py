@@ -83,7 +83,7 @@ ARRANGEMENT = [
     ("count shi-a2-affine --primes 5", "give at least 2"),
     ("count shi-a2-affine --primes five", "expected primes such as 5,7,11"),
     ("count shi-a2-affine --primes 5 --forecast", "not allowed with"),
-    ("count shi-a2-affine --time-limit 0 --jobs 2", "positive number"),
+    ("count shi-a2-affine --time-limit 0 --jobs 2", "'0' is not above 0; give a number of seconds"),
     ("count shi-a2-affine --shard 1/2", "need --store"),
     ("list --classes 10", "expected 3 to 9"),
     ("convert braid-a3", "--to"),

@@ -391,14 +391,6 @@ def question_of(arguments: argparse.Namespace, bodies: Bodies | None) -> tuple[A
     return grasp, applied(arguments, grasp)
 
 
-def seconds(text: str) -> float:
-    """Return a positive number of seconds."""
-    number = float(values.rational_argument(text))
-    if number <= 0:
-        raise argparse.ArgumentTypeError(f"{text} is not above 0; give a number of seconds")
-    return number
-
-
 #: Fields of documents that say already how far the answer holds for the data as rounded.
 _CALLED_ROUNDED = {"as_rounded", "within_error", "robust"}
 

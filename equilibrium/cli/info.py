@@ -9,6 +9,7 @@ from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import bracket, counted, number, vector
+from arrangement.console.options import values
 from arrangement.console.progress import shown
 from arrangement.errors import OutOfReachError
 from equilibrium.model.contact import contact_entry, contact_words, pyramid_words
@@ -25,7 +26,6 @@ from .arguments import (
     bodies_of,
     grasp_of,
     has_load,
-    seconds,
     show,
 )
 from .goes_with import ASSEMBLY, DESCRIPTION, REPORT, check_options
@@ -71,7 +71,7 @@ def add_command_info(commands: Any) -> None:
     text = "with --modes: print their number only"
     parser.add_argument("--count", action="store_true", default=None, help=text)
     text = "with --modes: stop after SECONDS: exit code 2"
-    parser.add_argument("--time-limit", metavar="SECONDS", type=seconds, help=text)
+    parser.add_argument("--time-limit", metavar="SECONDS", type=values.seconds_argument, help=text)
 
 
 def _info(arguments: argparse.Namespace) -> int:

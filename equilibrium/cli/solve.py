@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console import terminal
+from arrangement.console.options import values
 from arrangement.numbers import budget
 from arrangement.numbers.deadline import Deadline
 from equilibrium.model.errors import GraspError
@@ -25,7 +26,6 @@ from .arguments import (
     bodies_of,
     force_given,
     question_of,
-    seconds,
     show,
 )
 from .goes_with import ASSEMBLY, FULL_MODEL, GRASP, MANY, check_options
@@ -74,7 +74,7 @@ def add_command_solve(commands: Any) -> None:
     parser.add_argument(
         "--time-limit",
         metavar="SECONDS",
-        type=seconds,
+        type=values.seconds_argument,
         help="stop after SECONDS: exit code 2, in space 3",
     )
     add_cone(parser)

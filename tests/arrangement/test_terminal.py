@@ -98,6 +98,14 @@ def test_other_numbers_are_refused_with_the_reason(word, capsys):
     assert error.startswith("error: ")
 
 
+def test_time_limits_are_above_zero_and_of_any_size():
+    assert values.seconds_argument("1/2") == 0.5
+    assert values.seconds_argument("1e4000") == math.inf
+    for text in ("0", "-1", "1e-400"):
+        with pytest.raises(argparse.ArgumentTypeError, match="is not above 0; give a number of"):
+            values.seconds_argument(text)
+
+
 @pytest.mark.parametrize(
     ("error", "code", "lines"),
     [

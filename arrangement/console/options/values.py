@@ -60,6 +60,14 @@ def times_argument(text: str) -> float:
         return math.inf
 
 
+def seconds_argument(text: str) -> float:
+    """Read a time limit, above 0."""
+    seconds = times_argument(text)
+    if seconds <= 0:
+        raise argparse.ArgumentTypeError(f"{shown(text)} is not above 0; give a number of seconds")
+    return seconds
+
+
 def shard_argument(text: str) -> tuple[int, int]:
     """Read which part of a computation a machine does, such as 2/5."""
     match = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", text, re.ASCII)
