@@ -259,11 +259,11 @@ class Panel:
                 parts.append((area(shape), i, shape, piece.states))
         parts.sort(key=lambda part: (-part[0], part[1]))
         stretches = map(self.window.stretch, region.outline.whiskers)
-        whiskers = np.array([line for line in stretches if line is not None]).reshape(-1, 2, 2)
+        dangling = np.array([line for line in stretches if line is not None]).reshape(-1, 2, 2)
         alone = set()
         for _, i, shape, _ in parts:
             middle = np.tile(shape.mean(axis=0), (1, 2))
-            if len(shape) == 2 and covering(keep_off(whiskers), middle, 1e-9).any():
+            if len(shape) == 2 and covering(keep_off(dangling), middle, 1e-9).any():
                 alone.add(i)
         with self.scene.clipped(clip or self.box):
             for _, i, shape, states in parts:
@@ -273,7 +273,7 @@ class Panel:
         if by_states:
             self._codes([(shape, states) for i, shape, states in filled if i not in alone])
             labels = Labels(self.scene)
-            labels.avoid(*self.axes(), *self.at(whiskers))
+            labels.avoid(*self.axes(), *self.at(dangling))
             for i, shape, states in filled:
                 if i in alone:
                     middle, along = self.at(shape.mean(axis=0)), shape[1] - shape[0]

@@ -81,7 +81,7 @@ def outline_of(polygons: Sequence[Polyhedron]) -> Outline:
     single = (p.points[0] for p in polygons if p.dimension == 0)
     larger = [*solid, *thin]
     points = sorted({x for x in single if not any(p.contains(x) for p in larger)})
-    return Outline(tuple(_border(solid)), tuple(_whiskers(thin, solid)), tuple(points))
+    return Outline(tuple(_border(solid)), tuple(_dangling_edges(thin, solid)), tuple(points))
 
 
 def _border(solid: Sequence[Polyhedron]) -> Iterator[Segment]:
@@ -104,7 +104,7 @@ def _border(solid: Sequence[Polyhedron]) -> Iterator[Segment]:
         yield from line.segments([line.part(p) for p in carrying], covered)
 
 
-def _whiskers(thin: Sequence[Polyhedron], solid: Sequence[Polyhedron]) -> Iterator[Segment]:
+def _dangling_edges(thin: Sequence[Polyhedron], solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     """Yield the parts of flat polygons outside the two-dimensional part."""
     rows = sorted({max(p.equalities[0], negated(p.equalities[0])) for p in thin})
     carriers = [[p for p in thin if p.equalities[0] in (row, negated(row))] for row in rows]

@@ -82,7 +82,7 @@ class TestTextbookCases:
         """Radii 4, 6, 5, weights 15, 40, 20, width 18: 80 at the wall, 100 between the lower two.
 
         Source: a usual exercise of engineering mechanics, "three cylinders are piled up in a
-        rectangular channel" of width 18 cm, with the answers 25.93, 100 and 80.
+        rectangular channel" of width 18 cm; the forces are 20 * 11 / 8.4853, 60 / 0.6 and 80.
         """
         bodies = [
             disc("A", 4, 4, 4, weight=15),
@@ -147,7 +147,7 @@ class TestTextbookCases:
     def test_cylinder_in_a_corner(self):
         """Friction mu at wall and floor holds a couple of mu (1 + mu) / (1 + mu^2) W r.
 
-        Source: Beer and Johnston, Vector Mechanics for Engineers: Statics, chapter on friction.
+        The floor bears n and the wall mu n with n + mu^2 n = W, both with friction at its limit.
         """
         corner = walls((0, 3), (0, 0), (3, 0))
         read = read_shapes(document([disc("cylinder", 1, 1, 1, weight=1)], [corner], "1/3"))
