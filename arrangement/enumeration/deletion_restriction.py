@@ -58,7 +58,6 @@ from arrangement.numbers.linear.programs import some_point
 from arrangement.numbers.packing import (
     Bits,
     Words,
-    chunks,
     distinct_rows,
     grouped,
     pack,
@@ -356,7 +355,7 @@ def check(halves: HalfRegions, arrangements: Arrangements) -> None:
     """Compare every sign of every point with a bound on its rounding error."""
     d, m = arrangements.dimension, int(arrangements.sizes.max(initial=1))
     starts, last, least = arrangements.starts, len(arrangements.floats) - 1, margin(d)
-    for part in chunks(len(halves.of), max(1, _PRODUCTS // (m * d))):
+    for part in budget.chunks(len(halves.of), max(1, _PRODUCTS // (m * d))):
         of = halves.of[part]
         rows = np.minimum(starts[of, None] + np.arange(m), last)
         products = dot(halves.points[part, None], arrangements.floats[rows])
@@ -405,7 +404,7 @@ class Insertion:
         #: New regions, and points on the other side of their hyperplanes.
         self.new_words, self.above = self.words[count:], self.points[count:]
         self.below = np.empty_like(self.above)
-        for part in chunks(len(order), max(1, _PRODUCTS // (len(steps) * d))):
+        for part in budget.chunks(len(order), max(1, _PRODUCTS // (len(steps) * d))):
             self._cut(part, cutting.chosen(order[part]))
 
     def _cut(self, part: slice, cutting: HalfRegions) -> None:
@@ -609,7 +608,7 @@ def _as_level(planes: Planes, rows: Sequence[IntegerVector], halves: HalfRegions
         whole = np.concatenate(
             [
                 _integral(halves.points[part], rows, unpack(halves.signs[part], len(rows)))
-                for part in (place[piece] for piece in chunks(max(1, len(place)), _PORTION))
+                for part in (place[piece] for piece in budget.chunks(max(1, len(place)), _PORTION))
             ]
         )
         if infinity:

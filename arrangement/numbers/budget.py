@@ -291,6 +291,12 @@ def spent() -> float:
     return 0 if meter is None else meter.spent
 
 
+def chunks(total: int, size: int) -> Iterator[slice]:
+    """Yield consecutive slices: temporary arrays stay small, whatever the input."""
+    for start in range(0, total, size):
+        yield slice(start, min(start + size, total))
+
+
 def about(number: float) -> str:
     """Return a number rounded, however large it is.
 

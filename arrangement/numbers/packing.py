@@ -1,8 +1,7 @@
-"""Sign vectors as bits in 64-bit words, what is distinct among many, and work in pieces."""
+"""Sign vectors as bits in 64-bit words, and what is distinct among many."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TypeAlias
 
 import numpy as np
@@ -76,9 +75,3 @@ def _changes(rows: Words, order: NDArray[np.intp]) -> Bits:
         ordered = column[order]
         new[1:] |= ordered[1:] != ordered[:-1]
     return new
-
-
-def chunks(total: int, size: int) -> Iterator[slice]:
-    """Yield consecutive slices: temporary arrays stay small, whatever the input."""
-    for start in range(0, total, size):
-        yield slice(start, min(start + size, total))

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, pairwise
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,8 @@ import pytest
 from arrangement import Arrangement, ArrangementError, InputError
 from arrangement.counts import f_vector
 from arrangement.enumeration.great_circles import SphereArrangement, sphere_arrangement
+from arrangement.numbers.exact import dot
+from arrangement.numbers.linear.rank import determinant
 
 Normals = list[tuple[int, ...]]
 Arrays = dict[str, Any]
@@ -37,6 +39,16 @@ def test_boundaries_of_all_regions_have_each_half_edge_once():
     for region, (degree, cycle) in enumerate(zip(incidence.region_degree, around, strict=True)):
         assert len(cycle) == degree
         assert {*incidence.region[cycle]} == {region}
+
+
+def test_crossings_of_a_circle_are_its_vertices_in_order():
+    made = sphere(B3)
+    for circle, normal in enumerate(made.circle_normals):
+        around = made.incidence.crossings(circle).tolist()
+        on = [v for v in range(made.vertex_count) if not dot(normal, made.ray(v))]
+        assert sorted(around) == on
+        for v, w in pairwise([*around, around[0]]):
+            assert determinant([normal, made.ray(v), made.ray(w)]) > 0
 
 
 @pytest.mark.parametrize("normal", [*COORDINATES, (1, 1, 0), (0, 1, 1), (1, 0, 2)])

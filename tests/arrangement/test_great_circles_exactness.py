@@ -8,7 +8,7 @@ import pytest
 
 from arrangement import Arrangement
 from arrangement.counts import region_count
-from arrangement.enumeration.great_circles import crossings, predicates, sphere_arrangement
+from arrangement.enumeration.great_circles import incidence, predicates, sphere_arrangement
 from arrangement.enumeration.great_circles.predicates import (
     ExactSigns,
     FilteredSigns,
@@ -23,8 +23,8 @@ from tests.arrangement.test_great_circles import B3, GENERIC, NEAR_PENCIL, PENCI
 Normals = list[tuple[int, ...]]
 
 
-def sorted_as(normals: Normals, dtype: type) -> crossings.Crossings:
-    return crossings.sort_crossings(np.array(normals, dtype=dtype))
+def sorted_as(normals: Normals, dtype: type) -> incidence.Crossings:
+    return incidence.sort_crossings(np.array(normals, dtype=dtype))
 
 
 def assert_same_crossings(normals: Normals) -> None:
@@ -39,7 +39,7 @@ def assert_same_incidence(normals: Normals, monkeypatch: pytest.MonkeyPatch, **p
     """Check that the half-edges stay the same with some of `ExactSigns` or `crossings` replaced."""
     expected = vars(sphere_arrangement(Arrangement(normals)).incidence)
     for name, value in patches.items():
-        monkeypatch.setattr(crossings if name.isupper() else ExactSigns, name, value)
+        monkeypatch.setattr(incidence if name.isupper() else ExactSigns, name, value)
     found = vars(sphere_arrangement(Arrangement(normals)).incidence)
     for name, array in expected.items():
         assert np.array_equal(array, found[name]), name
@@ -113,7 +113,7 @@ def test_entries_are_taken_along_rows_of_any_length():
 def test_bounds_are_those_of_their_derivations():
     """Roundings of entries, products and sums; two slopes that are each wrong by up to 4 steps."""
     assert FilteredSigns.error == error_bound(3 + 2 + 3)
-    assert 2**crossings.LEAST_BITS > 2 * 4 >= 2 ** (crossings.LEAST_BITS - 1)
+    assert 2**incidence.LEAST_BITS > 2 * 4 >= 2 ** (incidence.LEAST_BITS - 1)
 
 
 def test_angular_cut_at_zero_and_pi_is_decided_exactly():

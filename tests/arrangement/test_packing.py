@@ -5,7 +5,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from arrangement.numbers import packing
+from arrangement.numbers import budget, packing
 
 
 def rows_of_bits(seed: int, columns: int, rows: int = 40) -> np.ndarray:
@@ -71,9 +71,9 @@ def test_nothing_has_no_groups():
 def test_chunks_cover_everything_once():
     for total in range(8):
         for size in range(1, 9):
-            parts = [range(total)[piece] for piece in packing.chunks(total, size)]
+            parts = [range(total)[piece] for piece in budget.chunks(total, size)]
             assert [x for part in parts for x in part] == list(range(total))
             assert all(0 < len(part) <= size for part in parts)
-            assert [(p.start, p.stop) for p in packing.chunks(total, size)] == [
+            assert [(p.start, p.stop) for p in budget.chunks(total, size)] == [
                 (part.start, part.stop) for part in parts
             ]

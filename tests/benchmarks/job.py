@@ -41,7 +41,7 @@ def bare_sort(planes: int) -> Work:
     """The least of any such method: NumPy's order of random numbers, a row for each circle."""
     import numpy as np
 
-    from arrangement.enumeration.great_circles.crossings import BLOCK
+    from arrangement.enumeration.great_circles.incidence import BLOCK
 
     rows = np.random.default_rng(planes).standard_normal((max(1, BLOCK // planes), planes - 1))
 

@@ -102,6 +102,16 @@ def test_class_list_decides_rows_and_keeps_its_columns(course, capsys):
     ]
 
 
+@pytest.mark.parametrize("sign", ["=", "+", "-", "@"])
+def test_no_cell_of_a_class_list_is_a_formula(sign, course):
+    text = f"ID,Name\nu1,{sign}SUM(A1)\nu2,a{sign}b\n"
+    Path("list.csv").write_text(text, encoding="utf-8")
+    assert main(["grade", "lecture.py", "class", "--students", "list.csv", "-o", "p.csv"]) == 1
+    _, first, second = Path("p.csv").read_text(encoding="utf-8").splitlines()
+    assert first.startswith(f"u1,'{sign}SUM(A1),")
+    assert second.startswith(f"u2,a{sign}b,")
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [

@@ -20,7 +20,7 @@ from proofs_check import ClaimError, ClaimVerdict, claim, evaluate
 from proofs_check.cli.program import EXAMPLES, main
 from proofs_check.instances.arrangements import line_cases
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
-from proofs_check.own_claims.claim_file import load
+from proofs_check.own_claims.claim_file import _FolderFinder, load
 from proofs_check.own_claims.language import read
 from proofs_check.own_claims.one_line import formula_of, one_line_claim
 from proofs_check.own_claims.shrink import shrink
@@ -345,6 +345,13 @@ def test_each_file_imports_its_own_neighbours(order, tmp_path, monkeypatch):
     assert not any(name.partition(".")[0] == "parts" for name in sys.modules)
     claim_in(tmp_path / "0", answers[1])
     assert evaluate(load(paths[order.index(0)])["f"]).verdict is ClaimVerdict.REFUTED
+
+
+def test_own_packages_are_never_taken_from_a_folder():
+    finder = _FolderFinder(Path(__file__).parents[2])
+    assert finder.find_spec("tests", None) is not None
+    for name in ("arrangement", "equilibrium", "proofs_check"):
+        assert finder.find_spec(name, None) is None
 
 
 def test_integers_of_libraries_are_integers(write):

@@ -33,7 +33,7 @@ from arrangement.errors import InputError, OutOfTimeError
 from arrangement.numbers import budget
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import shown
-from arrangement.numbers.packing import Bits, Words, chunks, grouped, pack, unpack
+from arrangement.numbers.packing import Bits, Words, grouped, pack, unpack
 from arrangement.planes.planes import Planes
 
 #: Sets that go down together.
@@ -77,7 +77,7 @@ class Images:
         images = pack(sets)
         if len(self._moves) > 1:
             order = sets.sum(axis=1).argsort(kind="stable")
-            for part in chunks(len(sets), _BATCH):
+            for part in budget.chunks(len(sets), _BATCH):
                 images[order[part]] = pack(self._lower(sets[order[part]]))
         return images
 

@@ -20,20 +20,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.console.number_form import ReprMixin
-from arrangement.enumeration.great_circles.crossings import Crossings, sort_crossings
 from arrangement.enumeration.great_circles.incidence import (
     CHUNK,
+    Crossings,
     Incidence,
     Indices,
     build_incidence,
+    sort_crossings,
 )
 from arrangement.enumeration.great_circles.predicates import Integers, integer_array
 from arrangement.enumeration.great_circles.validation import check_geometry, check_topology
 from arrangement.enumeration.reduction import cone, from_dimension, in_dimension, upper_half
 from arrangement.enumeration.sequence import Level, Rows
 from arrangement.errors import InputError
+from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, primitive, unoriented
-from arrangement.numbers.packing import chunks
 from arrangement.planes.planes import Planes
 
 #: (rows, ceil(m / 8)) bytes.
@@ -342,7 +343,7 @@ def _rays(normals: Integers, incidence: Incidence) -> Integers:
     """Return a direction for each vertex: the first circle of a line turns into the second."""
     lines = incidence.vertex_count // 2
     rays = np.empty((2 * lines, 3), normals.dtype)
-    for part in chunks(lines, CHUNK):
+    for part in budget.chunks(lines, CHUNK):
         first = incidence.line_offsets[part]
         left, right = (
             normals[incidence.slot_circle[incidence.line_slots[first + place]]] for place in (0, 1)

@@ -26,7 +26,7 @@ from arrangement.library.census.final_polynomials import (
     proved_no_coordinates,
     proves_no_coordinates,
 )
-from arrangement.numbers.packing import chunks
+from arrangement.numbers import budget
 from arrangement.planes.proved import proved_f_vectors
 
 #: Types that are worked on together.
@@ -56,7 +56,7 @@ class Table:
 def table(planes: int) -> Table:
     """Count the classes of a given number of planes, 3 to 9; those of nine take half a minute."""
     rows = normals(planes)
-    parts = watched(list(chunks(len(rows), _TOGETHER)), "parts of the types")
+    parts = watched(list(budget.chunks(len(rows), _TOGETHER)), "parts of the types")
     points = np.concatenate([t_vectors(chirotopes(planes, part), planes) for part in parts])
     lines = np.arange(planes + 1)
     regions = 2 + 2 * (points * (lines - 1))[:, 2:].sum(1)
@@ -93,7 +93,7 @@ def counted_alike(planes: int, chosen: Sequence[int] | None = None) -> tuple[int
     places = np.arange(len(rows)) if chosen is None else np.array(chosen, dtype=np.intp)
     places = places[rows[places].any((1, 2))]
     lines, alike = np.arange(planes + 1), 0
-    parts = [places[part] for part in chunks(len(places), _TOGETHER)]
+    parts = [places[part] for part in budget.chunks(len(places), _TOGETHER)]
     for part in watched(parts, f"parts of {_TOGETHER:,} types"):
         points = t_vectors(chirotopes(planes, part), planes)
         facets = 2 * points @ lines
@@ -171,7 +171,9 @@ def _without_coordinates(proved: bool) -> set[tuple[int, ...]]:
 
 def _in_order() -> bool:
     last: tuple[int, ...] = ()
-    for part in watched(list(chunks(PUBLISHED[MOST_PLANES], _TOGETHER)), "parts of the list"):
+    for part in watched(
+        list(budget.chunks(PUBLISHED[MOST_PLANES], _TOGETHER)), "parts of the list"
+    ):
         for row in map(tuple, place_keys(chirotopes(MOST_PLANES, part)).tolist()):
             if row <= last:
                 return False
