@@ -264,6 +264,17 @@ def without_denominators(vector: Sequence[Fraction | int]) -> Sequence[int]:
     return [x.numerator * (scale // x.denominator) for x in vector]
 
 
+def over_unit(vector: Sequence[Fraction | int]) -> tuple[list[int], int]:
+    """Return integers and their least common denominator."""
+    unit = math.lcm(*(x.denominator for x in vector))
+    return [x.numerator * (unit // x.denominator) for x in vector], unit
+
+
+def integers_over(vector: Sequence[Fraction | int], unit: int) -> IntegerVector:
+    """Return a vector times a common denominator."""
+    return tuple([x.numerator * (unit // x.denominator) for x in vector])
+
+
 def reduced(vector: Sequence[int]) -> IntegerVector:
     """Divide an integer vector by the greatest common divisor of its entries.
 

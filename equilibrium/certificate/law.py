@@ -6,12 +6,11 @@ mistake of the solver.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from arrangement.numbers.exact import RationalVector, number_text, primitive, quotient
+from arrangement.numbers.exact import RationalVector, number_text, over_unit, primitive, quotient
 from arrangement.numbers.linear.rank import rank
 from equilibrium.model.assembly import SIZE, Assembly
 from equilibrium.model.contact import Contact
@@ -251,12 +250,6 @@ def _shown(values: Sequence[Fraction]) -> str:
 
 def _dot(left: Sequence[Fraction], right: Sequence[Fraction]) -> Fraction:
     # In integers: to reduce each product and each sum takes several times as long.
-    (one, unit), (other, scale) = _whole(left), _whole(right)
+    (one, unit), (other, scale) = over_unit(left), over_unit(right)
     total: Fraction = quotient(sum(a * b for a, b in zip(one, other, strict=True)), unit * scale)
     return total
-
-
-def _whole(row: Sequence[Fraction]) -> tuple[list[int], int]:
-    """Return integers and their common denominator."""
-    unit = math.lcm(*(x.denominator for x in row))
-    return [x.numerator * (unit // x.denominator) for x in row], unit

@@ -52,7 +52,7 @@ from fractions import Fraction
 from itertools import chain, product
 from typing import Any, NamedTuple
 
-from arrangement.numbers.exact import IntegerVector, RationalVector, dot, quotient
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, integers_over, quotient
 from equilibrium.model.solution import Leaf
 from equilibrium.model.subject import Subject
 
@@ -134,14 +134,14 @@ class TreeQuestion:
         for row in rows:
             spring = (row.preload, *(-row.stiffness * x for x in row.wrenches[0]))
             unit, spring_unit = _denominator(chain(*row.wrenches)), _denominator(spring)
-            wrenches = tuple((0, *whole(wrench, unit)) for wrench in row.wrenches)
-            spring_row = whole(spring, spring_unit)
+            wrenches = tuple((0, *integers_over(wrench, unit)) for wrench in row.wrenches)
+            spring_row = integers_over(spring, spring_unit)
             contact = _IntegerContact(wrenches, unit, spring_row, spring_unit, row.friction)
             self.contacts.append(contact)
             units.append(unit * spring_unit * row.friction.denominator)
         #: Of sums, for a virtual motion in integers.
         self.unit = math.lcm(*units)
-        self.load = whole(load, self.unit)
+        self.load = integers_over(load, self.unit)
 
     @classmethod
     def of(
@@ -203,13 +203,13 @@ class TreeQuestion:
             return LeafWork(problem, (), 1, ())
         vectors = (leaf.motion, *leaf.multipliers.values(), *leaf.displacements.values())
         scale = _denominator((taken, *chain(*vectors)))
-        motion = (0, *whole(leaf.motion, scale))
+        motion = (0, *integers_over(leaf.motion, scale))
         # Rows in (g_0, d) by their factors: what is linear. The rest, at each generator.
         constant = dot(self.load, motion[1:]) - int(taken * scale) * self.unit
         terms: list[tuple[Any, IntegerVector]] = [(constant, (1, *[0] * self.form.size))]
         concave: list[Any] = [0] * len(region)
         for i, numbers in leaf.displacements.items():
-            terms += self._pushes(self.contacts[i], whole(numbers, scale))
+            terms += self._pushes(self.contacts[i], integers_over(numbers, scale))
         factors: list[tuple[Any, int] | None] = [None] * len(self.contacts)
         none = (0,) * (self.form.tangents + 1)
         for i, contact in enumerate(self.contacts):
@@ -221,7 +221,7 @@ class TreeQuestion:
             if is_idle and multipliers is None:
                 continue
             a, *b = [dot(row, motion) for row in contact.wrenches]
-            alpha, *h = whole(multipliers, scale) if multipliers else none
+            alpha, *h = integers_over(multipliers, scale) if multipliers else none
             if self._round:
                 is_below = within_room(a - alpha * contact.unit, b, contact.friction, state)
             else:
@@ -269,9 +269,3 @@ def _numbers(multipliers: Sequence[Fraction | int], kappa: tuple[Any, int] | Non
 
 def _denominator(row: Iterable[Fraction | int]) -> int:
     return math.lcm(*[x.denominator for x in row])
-
-
-def whole(row: Sequence[Fraction | int], unit: int = 0) -> IntegerVector:
-    """Return a row times a multiple of its denominators, the least one if none is given."""
-    unit = unit or _denominator(row)
-    return tuple([x.numerator * (unit // x.denominator) for x in row])

@@ -12,7 +12,7 @@ from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import VALUES
 from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.subject import LoadCase, Subject, read_load
+from equilibrium.model.subject import AboutCaseMixin, LoadCase, Subject, read_load
 
 from .law import short
 from .leaf_rule import TreeQuestion
@@ -24,7 +24,7 @@ Question: TypeAlias = tuple[Subject, Any]
 
 
 @dataclass(frozen=True, repr=False)
-class Report(ReprMixin):
+class Report(AboutCaseMixin, ReprMixin):
     """What a check found; it is true exactly when the proof holds.
 
     Attributes:
@@ -47,26 +47,6 @@ class Report(ReprMixin):
 
     def __bool__(self) -> bool:
         return not self.problem
-
-    @property
-    def grasp(self) -> Any:
-        """The contacts that it is about: a `Grasp` or an `Assembly`."""
-        return self.case.subject
-
-    @property
-    def wrench(self) -> Any:
-        """The wrench that it is about; of an assembly one for each body, by name."""
-        return self.case.wrench
-
-    @property
-    def pyramid(self) -> int | None:
-        """Edges of the friction pyramids that it is about; None for cones."""
-        return self.case.pyramid
-
-    @property
-    def max_displacement(self) -> Fraction | None:
-        """How far contact points may move for an equilibrium to count, if bounded."""
-        return self.case.max_displacement
 
     def asked(
         self,

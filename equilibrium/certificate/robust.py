@@ -53,7 +53,7 @@ from typing import Any
 
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, dot, rational, rational_vector
-from arrangement.numbers.linear.rank import gauss_jordan, unit_vectors
+from arrangement.numbers.linear.rank import null_space, unit_vectors
 from equilibrium.model.contact import WRENCH_SIZES, wrench_at
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
@@ -151,17 +151,14 @@ class Holding:
             for axis in () if self.loose[i] else _units(contact.dimension):
                 moved = wrench_at(contact.point, axis)
                 rows.append([Fraction(dot(moved, unit)) for unit in seen])
-        reduced, pivots, scale = gauss_jordan(rows)
-        found: list[list[Fraction]] = []
-        for free in sorted({*range(n)} - {*pivots}):
-            vector = [Fraction(scale * (k == free)) for k in range(n)]
-            for row, pivot in zip(reduced, pivots, strict=False):
-                vector[pivot] = Fraction(-row[free])
-            for one in found:
-                share = dot(vector, one) / dot(one, one)
-                vector = [x - share * y for x, y in zip(vector, one, strict=True)]
-            found.append(vector)
-        return found
+        unfelt: list[list[Fraction]] = []
+        for basic in null_space(rows, n):
+            motion = list(basic)
+            for other in unfelt:
+                share = dot(motion, other) / dot(other, other)
+                motion = [x - share * y for x, y in zip(motion, other, strict=True)]
+            unfelt.append(motion)
+        return unfelt
 
     def _along(self, i: int, motion: RationalVector) -> Along:
         """Return how far a motion moves a contact."""

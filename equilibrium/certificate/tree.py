@@ -11,13 +11,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise, product
 from typing import Any
 
-from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.exact import RationalVector, without_denominators
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.solution import Leaf
 
 from .contact_rule import SlipFace, State, state_text, turn
 from .law import outward
-from .leaf_rule import Generator, TreeQuestion, whole
+from .leaf_rule import Generator, TreeQuestion
 from .reading import STATES, Place, Split, read_node
 
 #: Splits in a row; readers of JSON stop at some 1000 objects inside one another.
@@ -112,7 +112,7 @@ def slip_states(
                 f"{contact + 1} is {state_text(state)} here"
             )
         return faces
-    ends: list[Any] = list(map(whole, split.directions))
+    ends: list[Any] = [tuple(without_denominators(row)) for row in split.directions]
     if isinstance(state, tuple) and not isinstance(state, SlipFace):
         around, sticks = [state[0], *ends, state[1]], list[State]()
         good = len(ends) == 1

@@ -18,7 +18,7 @@ from arrangement.numbers.linear.programs import Infeasible, Program
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.core.contact_rows import any_friction_does
 from equilibrium.model.effort import Effort
-from equilibrium.model.solution import Solution
+from equilibrium.model.solution import Leaf, Solution
 
 from .contact_law import (
     ONE,
@@ -55,20 +55,6 @@ class End(NamedTuple):
     def is_lawful(self) -> bool:
         """Whether it is an equilibrium."""
         return self.t is not None and not any(self.violations)
-
-
-class FarkasLeaf(NamedTuple):
-    """Why a program has no solution: see `equilibrium.certificate.states`.
-
-    Attributes:
-        motion: virtual.
-        multipliers: of the spring and the slip of each contact.
-        displacements: the same of its bounded displacements.
-    """
-
-    motion: RationalVector
-    multipliers: dict[int, RationalVector]
-    displacements: dict[int, RationalVector]
 
 
 class Values(dict[Any, Any]):
@@ -250,8 +236,11 @@ class ContactProgram:
             and self.at(point).forces == solution.forces
         )
 
-    def leaf(self) -> FarkasLeaf | None:
-        """Return the virtual motion and multipliers that show that there is no solution, if so."""
+    def leaf(self) -> Leaf | None:
+        """Return the virtual motion and Farkas multipliers, of springs, slips and displacements.
+
+        None if there is a solution.
+        """
         proof = self._program.point()
         if not isinstance(proof, Infeasible):
             return None
@@ -274,7 +263,7 @@ class ContactProgram:
         )
         pairs = zip(proof.equality_multipliers[-n:], self._equal[-n:], strict=True)
         motion = tuple(-x * balance.unit for x, balance in pairs)
-        return FarkasLeaf(motion, multipliers, displacements)
+        return Leaf(motion, multipliers, displacements)
 
     def _point(self) -> RationalVector | None:
         """Return the unknowns that the last program ended with."""

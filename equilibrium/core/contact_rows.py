@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import Any, TypeAlias, TypeVar
 
 from arrangement.numbers.deadline import Deadline
-from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.exact import RationalVector, dot, over_unit
 from arrangement.numbers.linear.programs import Infeasible, Program, Unbounded
 from equilibrium.model.contact import Contact, pyramid_edges
 from equilibrium.model.grasp import Grasp
@@ -148,12 +148,6 @@ def balance_rows(
                     if x:
                         row[j] += a * x
     return tuple(map(tuple, rows)), unit
-
-
-def over_unit(row: Sequence[Fraction]) -> tuple[list[int], int]:
-    """Return integers and their common denominator."""
-    unit = math.lcm(*(x.denominator for x in row))
-    return [x.numerator * (unit // x.denominator) for x in row], unit
 
 
 def value(row: RationalVector, point: RationalVector) -> Fraction:

@@ -17,14 +17,13 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.numbers.exact import RationalVector, primitive
+from arrangement.numbers.exact import RationalVector, over_unit, primitive
 from arrangement.numbers.float_filter import Floats
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Leaf
 
 from .contact_law import spring_row
-from .contact_rows import over_unit
 
 #: Larger numbers are cut off.
 _MAX_FLOAT = 1e60

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from flint import fmpz_mat
 
-from arrangement.numbers.exact import IntegerVector, RationalVector, dot
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, integers_over, over_unit
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan
 from equilibrium.core.contacts import FloatContacts, nearest
@@ -155,7 +155,7 @@ class Leaves:
                 pinned = self._pinned(states, ray, kept, nothing)
             unit = fine / largest * self._unit
             rounded = _rounded(pinned, [x * unit for x in ray.virtual.tolist()], self._steps)
-            motion, common = _common(rounded)
+            motion, common = over_unit(rounded)
             given: list[Any] = [common * round(x * unit) for x in listed]
             weighed = [x * factor for x, factor in zip(given, factors, strict=True)]
             values, scale = cancelled(columns, weighed, len(motion))
@@ -280,17 +280,6 @@ def ratio(x: Any, unit: int) -> float:
         return float(x.numerator / (x.denominator * unit))
     except OverflowError:
         return nearest(Fraction(x) / unit)
-
-
-def integers_over(row: Sequence[Fraction], unit: int) -> IntegerVector:
-    """Return a row times a common denominator."""
-    return tuple([x.numerator * (unit // x.denominator) for x in row])
-
-
-def _common(row: Sequence[Fraction | int]) -> tuple[list[int], int]:
-    """Return integers and their common denominator."""
-    unit = math.lcm(*(x.denominator for x in row))
-    return [x.numerator * (unit // x.denominator) for x in row], unit
 
 
 def cancelled(columns: Sequence[IntegerVector], values: list[int], n: int) -> tuple[list[int], int]:

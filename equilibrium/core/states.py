@@ -10,7 +10,7 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
-from arrangement.numbers.linear.rank import gauss_jordan
+from arrangement.numbers.linear.rank import null_space
 from equilibrium.core.cones import SLIP_SHARE
 from equilibrium.core.contacts import FloatContacts, nearest
 
@@ -170,16 +170,3 @@ def spanning_rows(rows: Floats, count: int) -> list[int]:
         unit = left[best] / size[best]
         left = left - np.outer(left @ unit, unit)
     return chosen
-
-
-def null_space(rows: list[RationalVector], n: int) -> list[RationalVector]:
-    """Return a basis of the motions in R^n on which all rows are 0."""
-    reduced, pivots, scale = gauss_jordan([list(row) for row in rows])
-    basis = []
-    for j in range(n):
-        if j not in pivots:
-            motion = [Fraction(int(k == j)) for k in range(n)]
-            for row, pivot in zip(reduced, pivots, strict=False):
-                motion[pivot] = Fraction(-row[j], scale)
-            basis.append(tuple(motion))
-    return basis

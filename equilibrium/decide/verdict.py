@@ -46,7 +46,7 @@ from equilibrium.model.errors import (
 )
 from equilibrium.model.labels import ROUNDED
 from equilibrium.model.solution import Open, Refutation, Solution, Tree, pad_entries
-from equilibrium.model.subject import LoadCase, Subject, by_body
+from equilibrium.model.subject import AboutCaseMixin, LoadCase, Subject, by_body
 from equilibrium.model.synonyms import NAMES
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED, robustness, undecided
@@ -79,7 +79,7 @@ def engine_of(
 
 
 @dataclass(frozen=True)
-class Verdict(HintsMixin):
+class Verdict(AboutCaseMixin, HintsMixin):
     """The answer for a grasp or an assembly and a load, true when resisted, with its proof.
 
     Attributes:
@@ -155,29 +155,6 @@ class Verdict(HintsMixin):
     def load(self) -> RationalVector:
         """The wrench; of an assembly those on its bodies in a row."""
         return self.case.load
-
-    @property
-    def max_displacement(self) -> Fraction | None:
-        """How far contact points may move for an equilibrium to count, if bounded.
-
-        Of an assembly relative to each other at a contact.
-        """
-        return self.case.max_displacement
-
-    @property
-    def pyramid(self) -> int | None:
-        """In space, edges of the friction pyramids asked for; None for round cones."""
-        return self.case.pyramid
-
-    @property
-    def grasp(self) -> Any:
-        """The contacts: a `Grasp` or an `Assembly`."""
-        return self.subject
-
-    @property
-    def wrench(self) -> Any:
-        """The wrench; of an assembly one for each body, by name."""
-        return self.case.wrench
 
     @property
     def assembly(self) -> Assembly:

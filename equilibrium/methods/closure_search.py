@@ -15,12 +15,12 @@ from itertools import chain
 
 import numpy as np
 
-from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.exact import RationalVector, integers_over
 from arrangement.numbers.float_filter import Floats
 from equilibrium.core.cones import RoundCones
 from equilibrium.core.contacts import FloatContacts
 from equilibrium.core.exact_parts import ExactParts
-from equilibrium.core.leaves import Leaves, cancelled, integers_over
+from equilibrium.core.leaves import Leaves, cancelled
 from equilibrium.core.relaxation import Point, Relaxation
 from equilibrium.core.states import spanning_rows
 from equilibrium.model.effort import Effort

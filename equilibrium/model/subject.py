@@ -123,3 +123,32 @@ class LoadCase:
     def wrench(self) -> Any:
         """The wrench; of an assembly one for each body, by name."""
         return by_body(self.subject, self.load)
+
+
+class AboutCaseMixin:
+    """What a result says of its question, `case`."""
+
+    case: LoadCase
+
+    @property
+    def grasp(self) -> Any:
+        """The contacts that it is about: a `Grasp` or an `Assembly`."""
+        return self.case.subject
+
+    @property
+    def wrench(self) -> Any:
+        """The wrench that it is about; of an assembly one for each body, by name."""
+        return self.case.wrench
+
+    @property
+    def pyramid(self) -> int | None:
+        """In space, edges of the friction pyramids that it is about; None for round cones."""
+        return self.case.pyramid
+
+    @property
+    def max_displacement(self) -> Fraction | None:
+        """How far contact points may move for an equilibrium to count, if bounded.
+
+        Of an assembly relative to each other at a contact.
+        """
+        return self.case.max_displacement

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Sequence
+from fractions import Fraction
 from typing import Any, TypeVar
 
 from arrangement.numbers import budget
@@ -173,6 +174,19 @@ def gauss_jordan(matrix: Sequence[Sequence[Any]]) -> tuple[list[list[Any]], list
     whole, scale, count = whole.rref()
     rows = [list(map(int, row)) for row in whole.tolist()]
     return rows, [next(j for j, x in enumerate(row) if x) for row in rows[:count]], int(scale)
+
+
+def null_space(rows: Sequence[Sequence[Any]], n: int) -> list[tuple[Fraction, ...]]:
+    """Return a basis of the vectors of n entries at which all rows are 0."""
+    reduced, pivots, scale = gauss_jordan([list(row) for row in rows])
+    basis = []
+    for j in range(n):
+        if j not in pivots:
+            vector = [Fraction(int(k == j)) for k in range(n)]
+            for row, pivot in zip(reduced, pivots, strict=False):
+                vector[pivot] = Fraction(-row[j], scale)
+            basis.append(tuple(vector))
+    return basis
 
 
 def _eliminate(
