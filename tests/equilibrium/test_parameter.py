@@ -168,18 +168,22 @@ def random_family(source):
     return grasp(*contacts, wrench=wrench)
 
 
-@pytest.fixture(scope="module")
-def answers():
+#: The first seed and the number of random families: 25, and 1000 more in the slow tests.
+BLOCKS = [(0, 25), *(pytest.param((1000 * k, 100), marks=pytest.mark.slow) for k in range(1, 11))]
+
+
+@pytest.fixture(scope="module", params=BLOCKS, ids=lambda block: f"families {block[0]}")
+def answers(request):
     """Answers for random families; their letter stands somewhere."""
-    found = []
-    for seed in range(60):
+    found, (start, count) = [], request.param
+    for seed in range(start, start + 1000):
         source = Random(f"family {seed}")
         document = random_family(source)
         numbers = [x["point"] + x["normal"] for x in document["contacts"]]
         numbers += [list(x.values())[2:] for x in document["contacts"]]
         if "t" in json.dumps([numbers, document["wrench"]]):
             found.append(resisted_values(document, 0, 1))
-        if len(found) == 25:
+        if len(found) == count:
             return found
     raise AssertionError("too few families")
 
