@@ -311,7 +311,7 @@ def wrench_at(point: RationalVector, force: RationalVector) -> RationalVector:
 _COMMON = ("normal", "tangent", "friction")
 
 
-def groups_of(contacts: Sequence[Contact]) -> tuple[range, ...]:
+def groups_of(contacts: Sequence[Any]) -> tuple[range, ...]:
     """Return the points of each contact: one, or neighbours whose shares add up to 1.
 
     Raises:

@@ -25,7 +25,7 @@ from arrangement.numbers.expressions import Expression, read_expression
 from arrangement.numbers.functions import Domain, Function, Span, Undecided, square_root
 
 from .assembly import SIZE, Assembly, RigidBody, wrenches_of
-from .contact import VALUES
+from .contact import VALUES, groups_of
 from .errors import GraspError
 from .grasp import Grasp
 
@@ -45,6 +45,7 @@ class FunctionContact(NamedTuple):
 
     Attributes:
         bodies: body_a and body_b in an assembly.
+        share: see `Contact`.
     """
 
     point: tuple[Any, ...]
@@ -54,6 +55,8 @@ class FunctionContact(NamedTuple):
     preload: Function
     adhesion: Function
     bodies: tuple[Any, Any]
+    share: Fraction = Fraction(1)
+    tangent: None = None
     dimension: int = 2
 
 
@@ -80,8 +83,6 @@ class ParametricQuestion:
                 raise GraspError(f"contacts[{i}] has an angle and a normal; keep one")
             direction = "angle" if "angle" in entry else "normal"
             check_keys(entry, ("point", direction, "friction"), entry, f"contacts[{i}]")
-            if {"share", "pad", "points"} & entry.keys():
-                raise GraspError("a question with a letter has no pads; give contacts of their own")
         if not any(x.has_letter for x in self._expressions):
             raise GraspError(f"the letter {self.letter} stands nowhere in the question")
 
@@ -184,7 +185,15 @@ class ParametricQuestion:
             normal = self._normal(entry, letter, name)
             bodies = entry.get("body_a"), entry.get("body_b")
             values = friction, stiffness, preload, adhesion
-            contacts.append(FunctionContact(point, normal, *values, bodies))
+            share = rational(entry.get("share", 1), f"{name}.share")
+            contacts.append(FunctionContact(point, normal, *values, bodies, share))
+        try:
+            groups_of(contacts)
+        except Undecided:
+            raise GraspError(
+                "points of a pad are not in one line along it for some value; choose another "
+                "interval, or leave share out"
+            ) from None
         return contacts
 
     @cached_property

@@ -15,9 +15,11 @@ from arrangement.console.number_form import JsonMixin
 from arrangement.library.files.json_files import Source
 from arrangement.numbers.functions import Span
 from equilibrium.grasps.inputs.parameter import question_document
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import chosen_contacts
+from equilibrium.model.grasp import Grasp, chosen_contacts
 from equilibrium.model.parameter import ParametricQuestion
+from equilibrium.model.subject import Subject
 
 from .parameter import TOLERANCE, ResistedValues, proved_values
 
@@ -88,8 +90,8 @@ def sufficient_friction(
     """Return the least friction coefficient, the same at some contacts, that resists a load.
 
     Args:
-        source: a document of a grasp in the plane without pads, or of an assembly; a path, a
-            built-in name or a mapping.
+        source: a document of a grasp in the plane, or of an assembly; a path, a built-in name or a
+            mapping.
         contacts: numbers, from 1, of those that get the coefficient; the others keep their own.
         wrench: on the grasp, or on the bodies of an assembly, in place of that of the source.
         tolerance: the largest width of what may be left unproved between two proofs; above 1 of
@@ -107,14 +109,17 @@ def sufficient_friction(
     (Fraction(2, 3), Fraction(2, 3), True)
     """
     document = question_document(source, wrench)
-    chosen = chosen_contacts(contacts, len(document["contacts"]))
+    known = {key: x for key, x in document.items() if key != "wrench"}
+    subject: Subject = (Assembly if "bodies" in known else Grasp).from_dict(known)
+    chosen = chosen_contacts(contacts, len(subject.contact_numbers))
     if not chosen:
         raise GraspError("contacts are []; expected at least one number")
+    points = subject.points_of(chosen)
 
     def values(coefficient: str, between: Span) -> ResistedValues:
         listed = [
-            {**entry, "friction": coefficient} if i in chosen else entry
-            for i, entry in enumerate(document["contacts"], 1)
+            {**entry, "friction": coefficient} if i in points else entry
+            for i, entry in enumerate(document["contacts"])
         ]
         family = ParametricQuestion({**document, "contacts": listed}, _LETTER)
         return proved_values(family, between, tolerance)

@@ -428,6 +428,27 @@ def test_picture_of_values_by_the_command(tmp_path, capsys):
     assert "there is no wrench" in capsys.readouterr().err
 
 
+def test_pad_tips_where_its_load_is_too_high():
+    """A block of weight 5 on a pad from -1 to 1 is pushed by 2 at the height t: 2 t = 5 at most."""
+    places = [
+        {"point": [x, "0"], "normal": ["0", "1"], "friction": "1/2"} for x in ("-1", "0", "1")
+    ]
+    points = [{**x, "share": "1/3", "stiffness": "1/3"} for x in places]
+    document = {"schema_version": 1, "contacts": points, "wrench": ["2", "-5", "-2*t"]}
+    answer = resisted_values(document, 0, 5)
+    assert [str(span) for span in answer.resisted] == ["[0, 5/2]"]
+    assert [str(span) for span in answer.not_resisted] == ["(5/2, 5]"]
+    assert all(answer.verify())
+    least = sufficient_friction({**document, "wrench": ["2", "-5", "-2"]}, [1])
+    assert (least.low, least.high) == (F(2, 5), F(2, 5))
+    with pytest.raises(GraspError, match="numbers of contacts from 1 to 1"):
+        sufficient_friction({**document, "wrench": ["2", "-5", "-2"]}, [2])
+    for y, words in (("t", "same height"), ("(t-1)*t", "for some value")):
+        bent = [points[0], {**points[1], "point": ["0", y]}, points[2]]
+        with pytest.raises(GraspError, match=words):
+            resisted_values({**document, "contacts": bent}, 0, 2)
+
+
 def test_movie_shows_the_object_at_each_value(tmp_path, capsys):
     table, movie = tmp_path / "ladder.csv", tmp_path / "ladder.gif"
     table.write_text("x,y,nx,ny,mu\n0,0,0,1,t\n4,3,-1,0,0\n")

@@ -78,7 +78,8 @@ def _of_table(table: Table) -> dict[str, Any]:
             *VALUES,
         }:
             raise GraspError(
-                f"line {line}: a question with a letter has contacts in the plane, without pads"
+                f"line {line}: a table with a letter has contacts in the plane, no pads; give "
+                "a JSON document, whose points have a share"
             )
         entry: dict[str, Any] = {"point": [row["x"], row["y"]]}
         if "angle" in row:
