@@ -54,6 +54,18 @@ def spring_force(contact: Contact | ContactRow, motion: Sequence[Fraction]) -> F
     return force
 
 
+def states_of(
+    rows: Iterable[Contact | ContactRow], motion: Sequence[Any], forces: Iterable[Sequence[Any]]
+) -> tuple[str, ...]:
+    """Return the state of each contact in an equilibrium; along two tangents "slip" has no sign."""
+    states = []
+    for row, (normal, *_) in zip(rows, forces, strict=True):
+        slips = [dot(tangent, motion) for tangent in row.tangential_wrenches]
+        sign = ("-", "+")[slips[0] > 0] if len(slips) == 1 else ""
+        states.append("detached" if not normal else f"slip{sign}" if any(slips) else "stick")
+    return tuple(states)
+
+
 class ContactState(NamedTuple):
     """What a contact does, in conditions.
 

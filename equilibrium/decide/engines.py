@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.exact import RationalVector
 from equilibrium.certificate.checker import proof_report
+from equilibrium.core.contact_law import states_of
 from equilibrium.core.contacts import FloatContacts, IntegerContacts
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.effort import Effort
@@ -193,14 +194,7 @@ class SpatialEngine(Engine):
         if solution.box is not None:
             shares = solution.box.friction
             return tuple("detached" if x is None else "stick" if x else "slip" for x in shares)
-        return tuple(
-            "detached"
-            if not force[0]
-            else "slip"
-            if any(dot(row, solution.motion) for row in contact.tangential_wrenches)
-            else "stick"
-            for contact, force in zip(self.grasp, solution.forces, strict=True)
-        )
+        return states_of(self.grasp, solution.motion, solution.forces)
 
     def equilibria(self, load: RationalVector) -> tuple[Any, ...]:
         """Refuse: in space not all equilibria are listed."""

@@ -10,9 +10,8 @@ coefficient cones are half-planes, in which friction takes a normal force.
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -22,13 +21,13 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational, shown, simplest_between
 from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.core.contact_program import ContactProgram
-from equilibrium.decide.assemblies.magnitudes import Survivors, surviving_states
+from equilibrium.decide.assemblies.magnitudes import surviving_states
 from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError
-from equilibrium.model.grasp import Grasp, chosen_contacts, read_wrench
+from equilibrium.model.grasp import Grasp, chosen_contacts
 from equilibrium.model.rows import ContactRows
-from equilibrium.plane.states.contact_states import States, contact_states
+from equilibrium.plane.states.contact_states import contact_states
 
 #: Coefficients above this are tried all at once only.
 LARGEST = 2**20
@@ -108,9 +107,9 @@ def least_friction(
         chosen = chosen_contacts(contacts, len(solver.grasp.contact_numbers))
         if not chosen:
             raise GraspError("contacts are []; expected at least one number, or leave them out")
-    if isinstance(solver.grasp, Assembly):
-        return _OfAssembly(solver, solver.grasp.read_wrenches(wrench), goal, chosen).run()
-    return _OfGrasp(solver, read_wrench(wrench), goal, chosen).run()
+    load = solver.read(wrench)
+    low, high = _Search(solver, load, goal, chosen).bracket()
+    return FrictionBracket(load, low, high, chosen)
 
 
 def rough_contacts(grasp: Grasp | Assembly) -> tuple[int, ...]:
@@ -123,21 +122,22 @@ def rough_contacts(grasp: Grasp | Assembly) -> tuple[int, ...]:
     return tuple(sorted({k for k, contact in pairs if contact.friction}))
 
 
-class _Search(ABC):
+class _Search:
     """The state of one search, from small coefficients to large ones."""
 
-    def __init__(self, wrench: Any, width: Fraction, chosen: tuple[int, ...]) -> None:
-        self.wrench, self.width, self.chosen = wrench, width, chosen
+    def __init__(self, solver: Solver, load: Any, width: Fraction, chosen: tuple[int, ...]) -> None:
+        self.subject, self.bound = solver.grasp, solver.max_displacement
+        self.load, self.width, self.chosen = load, width, chosen
+        self.places = self.subject.points_of(chosen)
         self.first_open: Fraction | None = None
         self.open = 0
 
-    def run(self) -> FrictionBracket:
-        """Look at ever larger ranges until one holds a sufficient coefficient."""
-        low, high = self.bracket()
-        return FrictionBracket(self.wrench, low, high, self.chosen)
-
     def bracket(self) -> tuple[Fraction | None, Fraction | None]:
-        """Return `low` and `high` of the answer."""
+        """Look at ever larger ranges until one holds a sufficient coefficient.
+
+        Returns:
+            `low` and `high` of the answer.
+        """
         if self.resists(Fraction(0)):
             return Fraction(0), Fraction(0)
         alive = None
@@ -145,9 +145,9 @@ class _Search(ABC):
             alive = self.possible(alive, low, None)
             if not alive:
                 return self.first_open, None
-            found = self.lowest(alive, low, high)
-            if found is not None:
-                return self.first_open, found
+            enough = self.lowest(alive, low, high)
+            if enough is not None:
+                return self.first_open, enough
         if self.first_open is None and self.possible(alive, Fraction(LARGEST), None):
             self.first_open = Fraction(LARGEST)
         return self.first_open, None
@@ -172,73 +172,31 @@ class _Search(ABC):
         simple = simplest_between(low, high)
         return simple if self.resists(simple) else high
 
-    @abstractmethod
     def possible(self, states: list[Any] | None, low: Fraction, high: Fraction | None) -> list[Any]:
         """Return states that the relaxation over a range does not refute; none if all are refuted.
+
+        Of a grasp they are all such choices of contact states; of an assembly one choice for each
+        part, the first in its tree.
 
         Args:
             states: those of a wider range; None for all.
         """
-
-    @abstractmethod
-    def resists(self, coefficient: Fraction) -> bool:
-        """Return whether the wrench is resisted at one coefficient; exact."""
-
-
-class _OfGrasp(_Search):
-    """A search that tries all contact states of a grasp."""
-
-    def __init__(
-        self, solver: Solver, wrench: RationalVector, width: Fraction, chosen: tuple[int, ...]
-    ) -> None:
-        super().__init__(wrench, width, chosen)
-        self.grasp, self.max_displacement = solver.grasp, solver.max_displacement
-        rows = ContactRows.of_grasp(self.grasp)
-        bound, places = self.max_displacement, self.grasp.points_of(chosen)
-        self.question = LinearQuestion(rows, wrench, max_displacement=bound, chosen=places)
-
-    def possible(
-        self, states: list[States] | None, low: Fraction, high: Fraction | None
-    ) -> list[States]:
-        """Return the states that the relaxation over a range does not refute."""
-        question = replace(self.question, frictions=(low, high))
-        listed = contact_states(self.grasp) if states is None else states
-        return [
-            choice
-            for choice in watched(listed, "contact states")
-            if ContactProgram(question, choice).feasible
-        ]
+        if isinstance(self.subject, Assembly):
+            known = states[0] if states else ()
+            question = self.subject, self.load, (low, high), known, self.places, self.bound
+            survivors = surviving_states(*question)
+            return [] if survivors is None else [survivors]
+        limits: Any = {"frictions": (low, high), "max_displacement": self.bound}
+        rows = ContactRows.of_grasp(self.subject)
+        ranged = LinearQuestion(rows, self.load, chosen=self.places, **limits)
+        listed = contact_states(self.subject) if states is None else states
+        tried = watched(listed, "contact states")
+        return [choice for choice in tried if ContactProgram(ranged, choice).feasible]
 
     def resists(self, coefficient: Fraction) -> bool:
-        """Return whether the wrench is resisted at one coefficient; exact."""
-        solver = Solver(self.grasp.with_friction(coefficient, self.chosen), self.max_displacement)
-        return solver.solve(self.wrench).stable
-
-
-class _OfAssembly(_Search):
-    """A search in the trees of the parts of an assembly, each up to the first states that do."""
-
-    def __init__(
-        self, solver: Solver, wrenches: Wrenches, width: Fraction, chosen: tuple[int, ...]
-    ) -> None:
-        super().__init__(wrenches, width, chosen)
-        self.assembly, self.max_displacement = solver.grasp, solver.max_displacement
-
-    def possible(
-        self, states: list[Survivors] | None, low: Fraction, high: Fraction | None
-    ) -> list[Survivors]:
-        """Return states of each part that a range does not refute."""
-        known = states[0] if states else ()
-        question = self.assembly, self.wrench, (low, high), known
-        places = self.assembly.points_of(self.chosen)
-        found = surviving_states(*question, places, self.max_displacement)
-        return [] if found is None else [found]
-
-    def resists(self, coefficient: Fraction) -> bool:
-        """Return whether the wrenches are resisted at one coefficient; not if it is undecided."""
-        changed = self.assembly.with_friction(coefficient, self.chosen)
-        solver = Solver(changed, self.max_displacement)
-        verdict = solver.solve(self.wrench)
+        """Return whether the load is resisted at one coefficient; not if that is undecided."""
+        changed = self.subject.with_friction(coefficient, self.chosen)
+        verdict = Solver(changed, self.bound).solve(self.load)
         return verdict.decided and verdict.stable
 
 

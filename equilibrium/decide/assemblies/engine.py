@@ -11,8 +11,9 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.errors import OutOfReachError
-from arrangement.numbers.exact import RationalVector, dot, vector_text
+from arrangement.numbers.exact import RationalVector, vector_text
 from equilibrium.certificate.checker import proof_report
+from equilibrium.core.contact_law import states_of
 from equilibrium.decide.engines import Engine, PlanarEngine
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.effort import Effort
@@ -123,12 +124,7 @@ class AssemblyEngine(Engine):
 
     def states(self, solution: Solution) -> tuple[str, ...]:
         """Return the state of each contact in an equilibrium."""
-        states = []
-        for row, (pressed, _) in zip(self.assembly.rows, solution.forces, strict=True):
-            slip = dot(row.tangential_wrenches[0], solution.motion)
-            slips = "slip+" if slip > 0 else "slip-" if slip < 0 else "stick"
-            states.append(slips if pressed else "detached")
-        return tuple(states)
+        return states_of(self.assembly.rows, solution.motion, solution.forces)
 
     def equilibria(self, load: RationalVector) -> tuple[tuple[PartEquilibrium, ...], ...]:
         """Return all equilibria of each part; those of different parts combine freely."""

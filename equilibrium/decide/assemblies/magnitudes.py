@@ -33,6 +33,7 @@ from equilibrium.model.errors import UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.subject import Subject, no_load
+from equilibrium.plane.states.equilibrium import maximal
 
 from .parts import AssemblyPart, parts_of, with_root_as_ground
 
@@ -155,13 +156,7 @@ def part_equilibria(
     for part, question in questions:
         assert part is not None
         with _limited(question) as tree:
-            complete = list(complete_programs(tree))
-            # Of equal sets the one with most detached, then most sticking contacts stays.
-            complete.sort(key=lambda x: (-x.states.count("detached"), -x.states.count("stick")))
-            kept: list[ContactProgram] = []
-            for program in complete:
-                if not any(program.within(other) for other in kept):
-                    kept = [other for other in kept if not other.within(program)] + [program]
+            kept = maximal(list(complete_programs(tree)))
         sets = []
         for program in kept:
             solution = program.solution()

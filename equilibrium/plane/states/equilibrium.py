@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
-from typing import Any
+from typing import Any, TypeVar
 
 from arrangement.console.number_form import JsonMixin
 from arrangement.numbers.exact import (
@@ -122,7 +122,11 @@ def equilibrium_of(
     )
 
 
-def maximal(pieces: Sequence[Equilibrium]) -> tuple[Equilibrium, ...]:
+#: Solutions with one choice of states.
+P = TypeVar("P", Equilibrium, ContactProgram)
+
+
+def maximal(pieces: Sequence[P]) -> tuple[P, ...]:
     """Return the pieces that lie in no other one.
 
     Of equal pieces the one with most detached, then most sticking contacts stays: for a single
@@ -131,7 +135,7 @@ def maximal(pieces: Sequence[Equilibrium]) -> tuple[Equilibrium, ...]:
     specific = sorted(
         pieces, key=lambda piece: (-piece.states.count("detached"), -piece.states.count("stick"))
     )
-    kept: list[Equilibrium] = []
+    kept: list[P] = []
     for piece in specific:
         if any(piece.within(other) for other in kept):
             continue
