@@ -38,7 +38,7 @@ def print_verdict(text: str, verdict: str = "") -> None:
     """
     column = re.compile(rf"(?m)  ({re.escape(verdict)})(?= \(| under |$)")
     match = column.search(text) if verdict else _FIRST.match(text)
-    if match is None or not _wanted():
+    if match is None or not _use_colours():
         print(text)
         return
     start, stop = match.span(1)
@@ -49,7 +49,7 @@ def print_verdict(text: str, verdict: str = "") -> None:
     print(text[stop:])
 
 
-def _wanted() -> bool:
+def _use_colours() -> bool:
     dumb = os.environ.get("TERM") == "dumb" or (os.name == "nt" and "WT_SESSION" not in os.environ)
     return sys.stdout.isatty() and not dumb and not os.environ.get("NO_COLOR")
 

@@ -61,7 +61,7 @@ def add_options(
         more: what else the options "output" and "model" take, for their help.
     """
     more = more or {}
-    asked = _asked(parser.arguments) if {"-h", "--help"} & {*parser.arguments} else None
+    asked = _view_names(parser.arguments) if {"-h", "--help"} & {*parser.arguments} else None
     before = {*parser._actions}
     subject = next(a.metavar for a in parser._actions if not a.option_strings)
     parser.usage = f"%(prog)s {subject} -o PATH [--view VIEW] [options]"
@@ -125,7 +125,7 @@ def _add(parser: Parser, uses: list[_Use], asked: set[str] | None) -> None:
     replace(first, several=several).add_to(parser, **changes)
 
 
-def _asked(words: Collection[str]) -> set[str]:
+def _view_names(words: Collection[str]) -> set[str]:
     """Return the views, models and pages that are named on a command line."""
     lists = re.findall(r"--(?:view|model)[ =]([^ ]+)", " ".join(words))
     return {name for names in lists for name in names.split(",")}

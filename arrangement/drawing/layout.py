@@ -220,13 +220,13 @@ def _rows(legend: Legend, room: float, size: float) -> list[list[_Cell]]:
     cells = [(0.0, key, wrapped(key.text, room - key.width - _BESIDE, size)) for key in legend.keys]
     widths = [_end(cell, size) + _GAP for cell in cells]
     packed, columns = (
-        _packed(cells, [max(width, least) for width in widths], room + _GAP)
+        _pack(cells, [max(width, least) for width in widths], room + _GAP)
         for least in (0.0, max(widths, default=0.0))
     )
     return columns if len(columns) <= len(packed) else packed
 
 
-def _packed(cells: list[_Cell], widths: list[float], room: float) -> list[list[_Cell]]:
+def _pack(cells: list[_Cell], widths: list[float], room: float) -> list[list[_Cell]]:
     """Return rows of cells: each goes to the first row with room for it."""
     rows: list[list[_Cell]] = []
     used: list[float] = []

@@ -226,7 +226,7 @@ _LENGTHS = ("points", "radius", "place", "centre", "size")
 def scaled(item: Item, factor: float) -> Item:
     """Return an item with all lengths enlarged."""
     lengths: dict[str, Any] = {
-        key: _grown(getattr(item, key), factor) for key in _LENGTHS if hasattr(item, key)
+        key: _enlarge(getattr(item, key), factor) for key in _LENGTHS if hasattr(item, key)
     }
     style = dict(item.style)
     for key in {"lw", "mew"} & style.keys():
@@ -235,13 +235,13 @@ def scaled(item: Item, factor: float) -> Item:
         style["halo"] = (factor * style["halo"][0], style["halo"][1])
     if "pad" in (style.get("plate") or {}):
         style["plate"] = {**style["plate"], "pad": factor * style["plate"]["pad"]}
-    clip = None if item.clip is None else _grown(item.clip, factor)
+    clip = None if item.clip is None else _enlarge(item.clip, factor)
     return replace(item, style=style, clip=clip, **lengths)
 
 
-def _grown(value: Any, factor: float) -> Any:
+def _enlarge(value: Any, factor: float) -> Any:
     if isinstance(value, (tuple, list)):
-        return tuple(_grown(x, factor) for x in value)
+        return tuple(_enlarge(x, factor) for x in value)
     return factor * value
 
 
@@ -345,11 +345,11 @@ def measure(
     if _ALONE.issuperset(text):
         text = "".join(sorted(text))
     fonts = (*settings["font.family"], *settings["font.sans-serif"])
-    return _measured(text, size, rotation, weight, fonts)
+    return _measure(text, size, rotation, weight, fonts)
 
 
 @lru_cache(maxsize=8192)
-def _measured(
+def _measure(
     text: str, size: float, rotation: float, weight: str, _fonts: tuple[str, ...]
 ) -> tuple[float, float]:
     from matplotlib.text import Text

@@ -79,17 +79,17 @@ def _with_colours(item: Item, change: Callable[[Rgba], str]) -> dict[str, Any]:
     style = dict(item.style)
     for key in ("fc", "ec", "color"):
         if key in style:
-            style[key] = _changed(style[key], change)
+            style[key] = _map_colour(style[key], change)
     if "halo" in style:
-        style["halo"] = (style["halo"][0], _changed(style["halo"][1], change))
+        style["halo"] = (style["halo"][0], _map_colour(style["halo"][1], change))
     if isinstance(style.get("plate"), Mapping):
         plate = dict(style["plate"])
-        plate.update({k: _changed(plate[k], change) for k in ("fc", "ec") if k in plate})
+        plate.update({k: _map_colour(plate[k], change) for k in ("fc", "ec") if k in plate})
         style["plate"] = plate
     return style
 
 
-def _changed(colour: Any, change: Callable[[Rgba], str]) -> Any:
+def _map_colour(colour: Any, change: Callable[[Rgba], str]) -> Any:
     return colour if isinstance(colour, str) and colour == "none" else change(_rgba(colour))
 
 

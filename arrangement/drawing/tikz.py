@@ -115,10 +115,10 @@ def _line(line: str) -> str:
     tokens = [(kind, text) for kind, (_, text) in zip(kinds, tokens, strict=True)]
     runs = groupby(tokens, key=lambda token: token[0] in ("word", "other", "given"))
     parts = [(is_text, list(run)) for is_text, run in runs]
-    return "".join(_words(run) if is_text else _mixed(run, wordless) for is_text, run in parts)
+    return "".join(_words(run) if is_text else _mix(run, wordless) for is_text, run in parts)
 
 
-def _mixed(tokens: list[tuple[str, str]], wordless: bool) -> str:
+def _mix(tokens: list[tuple[str, str]], wordless: bool) -> str:
     """Return tokens without words: maths if one of them says so, but for what is around it."""
     hard = {"norm", "indexed", "power", "signs", "maths", "variable"} | (
         {"number"} if wordless else set()
@@ -135,7 +135,7 @@ def _mixed(tokens: list[tuple[str, str]], wordless: bool) -> str:
         # A parenthesis of the sentence: maths begins or ends there.
         cut = inside.rfind("(") if inside.count("(") > inside.count(")") else inside.find(")")
         k = next(k for k in range(start, stop) if sum(len(t) for _, t in tokens[start:k]) == cut)
-        return _mixed(tokens[:k], wordless) + tokens[k][1] + _mixed(tokens[k + 1 :], wordless)
+        return _mix(tokens[:k], wordless) + tokens[k][1] + _mix(tokens[k + 1 :], wordless)
     before, after = _words(tokens[:start]), _words(tokens[stop:])
     return f"{before}${_maths(tokens[start:stop])}${after}"
 

@@ -444,15 +444,15 @@ def faces_around(table: PlaneTable, lines: Lines) -> Faces:
         for k in sorted(set(sizes.tolist()))
     ]
     facets, on, edge = map(np.concatenate, zip(*parts, strict=True))
-    one, other = _found_twice(np.column_stack([facets, on.astype(np.uint64)]))
+    one, other = _pairs_of_equal_rows(np.column_stack([facets, on.astype(np.uint64)]))
     facets, on, edges = facets[one], on[one], np.stack([edge[one], edge[other]], axis=1)
     regions = np.concatenate([facets, facets | unit_words(len(table))[on]])
-    one, other = _found_twice(regions)
+    one, other = _pairs_of_equal_rows(regions)
     sides = np.stack([one, other], axis=1) % len(facets)
     return Faces(_vertices(lines), facets, on, edges, regions[one], sides)
 
 
-def _found_twice(rows: Words) -> tuple[Indices, Indices]:
+def _pairs_of_equal_rows(rows: Words) -> tuple[Indices, Indices]:
     """Return the places of two copies of each different row; every row has two or more."""
     order, new = grouped(rows)
     first = np.flatnonzero(new)

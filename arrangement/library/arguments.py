@@ -51,7 +51,7 @@ def flag(value: Any, name: str) -> bool:
     return value
 
 
-def planned(planes: float, dimension: float, bits: float = 0) -> None:
+def check_reach(planes: float, dimension: float, bits: float = 0) -> None:
     """Refuse a member that is out of reach, before any plane of it is made.
 
     Args:

@@ -106,13 +106,13 @@ def add_list_options(parser: argparse.ArgumentParser) -> None:
 def list_classes(arguments: argparse.Namespace) -> int:
     """Print the numbers of isomorphism classes by number of regions."""
     from .census import MOST_PLANES, PUBLISHED, PUBLISHED_SIMPLE
-    from .census.tables import counted_alike, table
+    from .census.tables import compare_counts, table
 
     planes = arguments.classes
     if not 3 <= planes <= MOST_PLANES:
         raise InputError(f"--classes is {planes}; expected 3 to {MOST_PLANES} hyperplanes")
     content = table(planes)
-    counted, alike = counted_alike(planes) if arguments.verified else (0, 0)
+    counted, alike = compare_counts(planes) if arguments.verified else (0, 0)
     code = terminal.YES if counted == alike else terminal.NO
     if arguments.json:
         record = asdict(content)

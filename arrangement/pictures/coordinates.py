@@ -329,7 +329,7 @@ def root_map(arrangement: Planes) -> Floats | None:
     if not known or len(set(map(frozenset, offsets.values()))) > 1:
         return None
     roots = np.array(list(offsets))
-    return _normed(np.linalg.inv(np.linalg.cholesky((roots.T @ roots).astype(float))))
+    return _unimodular(np.linalg.inv(np.linalg.cholesky((roots.T @ roots).astype(float))))
 
 
 def symmetric_map(arrangement: Arrangement) -> Floats | None:
@@ -359,7 +359,7 @@ def symmetry(arrangement: Planes) -> Symmetry | None:
         note(f"no symmetry is looked for beyond {most} planes; given coordinates are drawn")
         return None
     normals = unit_vectors(firsts)
-    frame = _balanced(normals, _base_shares(firsts, normals))
+    frame = _balance(normals, _base_shares(firsts, normals))
     if frame is None:
         note("the symmetry of the planes was not found; given coordinates are drawn")
         return None
@@ -369,7 +369,7 @@ def symmetry(arrangement: Planes) -> Symmetry | None:
     back = np.linalg.inv(frame)
     mean: Floats = np.einsum("gki,kl,glj->ij", group, back.T @ back, group) / len(group)
     sizes, axes = np.linalg.eigh(frame.T @ mean @ frame)
-    return Symmetry(frame, group, _normed((axes * np.sqrt(sizes)) @ axes.T))
+    return Symmetry(frame, group, _unimodular((axes * np.sqrt(sizes)) @ axes.T))
 
 
 def orbits(arrangement: Planes, regions: Sequence[tuple[int, ...]]) -> list[int]:
@@ -420,7 +420,7 @@ def _base_shares(normals: Sequence[IntegerVector], units: Floats) -> Floats:
     return shares
 
 
-def _balanced(normals: Floats, weights: Floats) -> Floats | None:
+def _balance(normals: Floats, weights: Floats) -> Floats | None:
     """Return a matrix after which weighted unit normals have the identity as sum of squares."""
     frame = whole = np.eye(normals.shape[1])
     for _ in range(_ROUNDS):
@@ -433,7 +433,7 @@ def _balanced(normals: Floats, weights: Floats) -> Floats | None:
         frame = inverse_root(squares) @ frame
         if np.linalg.cond(frame) > 1 / _FLAT:
             return None
-        frame = _normed(frame)
+        frame = _unimodular(frame)
     return None
 
 
@@ -482,7 +482,7 @@ def even_map(normals: Floats) -> Floats:
         moved = unit(normals @ whole.T)
         scatter = (1 - _PULL) * size * moved.T @ moved / len(moved) + _PULL * np.eye(size)
         whole = inverse_root(scatter) @ whole
-    return _normed(whole)
+    return _unimodular(whole)
 
 
 def is_narrow(normals: Floats) -> bool:
@@ -490,7 +490,7 @@ def is_narrow(normals: Floats) -> bool:
     return bool(np.linalg.eigvalsh(normals.T @ normals / len(normals))[0] < NARROW)
 
 
-def _normed(matrix: Floats) -> Floats:
+def _unimodular(matrix: Floats) -> Floats:
     normed: Floats = matrix / np.linalg.det(matrix) ** (1 / len(matrix))
     return normed
 

@@ -585,7 +585,7 @@ def grasp_page(
         str(grasp.units) if grasp.units else number_of,
         picture_axes(towards),
         reach,
-        [node.drawn_as(_face) for node in tree],
+        [node.map_patches(_face) for node in tree],
         [(name.capitalize(), _contact_facts(solid, i)) for i, name in enumerate(grasp.point_names)],
         legend,
         marks=[

@@ -510,7 +510,7 @@ def wrench_set_page(
         "states that is not a part of another" + (f"; {AS_ROUNDED}" if grasp.data_error else ""),
         picture_axes(box.clear_side),
         math.sqrt(3),
-        [node.drawn_as(face) for node in box.tree],
+        [node.map_patches(face) for node in box.tree],
         facts,
         [(SOLID, "where resistance ends"), (CUT, "cut by the box, goes on")],
         [ends for ends, _ in box_edges()],

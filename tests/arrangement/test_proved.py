@@ -251,7 +251,7 @@ def test_types_are_counted_in_one_run(capsys, monkeypatch):
     assert json.loads(capsys.readouterr().out)["proved"] == {"types": 17, "alike": 17}
     wrong = [(1, 26, 48, 24), *tables.proved_f_vectors(census.census(6)[1:])]
     monkeypatch.setattr(tables, "proved_f_vectors", lambda many: wrong)
-    assert tables.counted_alike(6) == (17, 16)
+    assert tables.compare_counts(6) == (17, 16)
     assert main(["list", "--classes", "6", "--verified"]) == 1
 
 
@@ -262,7 +262,7 @@ def test_types_are_counted_alike(planes):
     """All of up to eight planes, a part of those of nine, one of which is irrational."""
     types = len(census.census(planes))
     chosen = range(planes, types, 25) if planes == 9 else None
-    found, alike = tables.counted_alike(planes, chosen)
+    found, alike = tables.compare_counts(planes, chosen)
     assert found == alike
     assert found >= types // 25
 

@@ -27,8 +27,7 @@ from arrangement.library.census.catalogue import (
     without_coordinates,
 )
 from arrangement.library.census.finschi_fukuda import representatives
-from arrangement.numbers import budget
-from arrangement.numbers.budget import limit
+from arrangement.numbers.budget import chunks, limit
 
 from .build import build
 from .generate import generate
@@ -92,7 +91,7 @@ def numbers(planes: int) -> NDArray[np.int32]:
     """
     parts = [
         representatives(chirotopes(planes, part), planes)
-        for part in watched(list(budget.chunks(PUBLISHED[planes], _TOGETHER)), "parts of the types")
+        for part in watched(list(chunks(PUBLISHED[planes], _TOGETHER)), "parts of the types")
     ]
     if planes == MOST_PLANES:
         signs = np.array([signs for signs, _ in without_coordinates()])

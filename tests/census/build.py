@@ -40,12 +40,12 @@ from arrangement.library.census.chirotopes import (
     Signs,
     Vectors,
     canonical,
-    carried,
     chirotope_of,
     extended,
     extensions,
     pairs,
     regions,
+    relabelling,
     triples,
 )
 from arrangement.library.census.final_polynomials import OrderedProducts
@@ -273,7 +273,7 @@ def _with_other_coordinates(basis: Vectors, larger: Vectors) -> Vectors:
     larger = larger[larger.any((1, 2))]
     less = np.concatenate([basis, *(np.delete(larger, k, axis=1) for k in range(n))])
     theirs, mine = (canonical(chirotope_of(rows), n) for rows in (less, basis))
-    order, sides = carried(theirs, mine)
+    order, sides = relabelling(theirs, mine)
     moved = np.take_along_axis(less, order[..., None], axis=1) * sides[..., None]
     alike: Vectors = moved[(theirs.codes == mine.codes).all(1)]
     return alike

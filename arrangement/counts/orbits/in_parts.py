@@ -101,7 +101,7 @@ def first_whitney_numbers_in_parts(
     if not workers.due(parts, shard, jobs):
         raise InputError(f"parts is {shown(parts)} and shard {shard}; give a part to each shard")
     _prepare(Path(root), config, parts)
-    made = _made(root)
+    made = _read_plan(root)
 
     def residues() -> Iterator[NDArray[np.int64]]:
         flats = 1
@@ -189,7 +189,7 @@ def _prepare(root: Path, config: Configuration, parts: int) -> None:
 
 
 @dataclass(frozen=True)
-class _Made:
+class _Plan:
     classes: Classes
     most: int
     plan: bytes
@@ -199,13 +199,13 @@ class _Made:
         return self.most if 2 * rank > self.classes.rank else 1
 
 
-def _made(root: str) -> _Made:
+def _read_plan(root: str) -> _Plan:
     """Read the plan of a folder."""
-    return _made_of((Path(root) / "plan.json").read_bytes())
+    return _parse_plan((Path(root) / "plan.json").read_bytes())
 
 
 @lru_cache(maxsize=1)
-def _made_of(content: bytes) -> _Made:
+def _parse_plan(content: bytes) -> _Plan:
     """Parse a plan; the last one is cached, as a process works on many parts of it."""
     plan = json.loads(content)
     field = None
@@ -226,13 +226,13 @@ def _made_of(content: bytes) -> _Made:
     size = len(vectors) + (infinity is not None)
     generators = np.array(plan["generators"], dtype=np.intp).reshape(-1, size)
     digest = sha256(json.dumps(plan, sort_keys=True).encode()).digest()
-    return _Made(classes(config, generators, Deadline()), plan["parts"], digest)
+    return _Plan(classes(config, generators, Deadline()), plan["parts"], digest)
 
 
 def _run(plan: tuple[str, int], part: int) -> None:
     """Make the file of one part of a rank."""
     root, rank = plan
-    made = _made(root)
+    made = _read_plan(root)
     with budget.limit(math.inf):
         higher, residues = made.classes.above(_below(root, rank, part), rank)
     bucket = np.empty(0, dtype=np.uint64)
@@ -262,7 +262,7 @@ def _run(plan: tuple[str, int], part: int) -> None:
 
 def _below(root: str, rank: int, part: int) -> Flats:
     """Return the flats of the rank before, one of each class of this part."""
-    made = _made(root)
+    made = _read_plan(root)
     if rank == 1:
         return made.classes.bottom()
     gathered, waiting = [made.classes.bottom()[:0]], 0
@@ -311,7 +311,7 @@ def _array(file: ZipFile, name: str, most: float) -> NDArray[Any]:
 
 def _read(root: str, rank: int, part: int, above: int | None = None) -> dict[str, NDArray[Any]]:
     """Return what is added up of a file, or the flats that come up to a part of the rank after."""
-    place, plan = _place(root, rank, part), _made(root).plan
+    place, plan = _place(root, rank, part), _read_plan(root).plan
 
     def checked(file: ZipFile, *names: str) -> dict[str, NDArray[Any]]:
         arrays = {name: _array(file, name, most) for name in names}

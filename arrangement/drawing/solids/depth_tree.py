@@ -46,7 +46,7 @@ class Node(Generic[_Drawn]):
     front: int = -1
     back: int = -1
 
-    def drawn_as(self, draw: Callable[[_Drawn], _Other]) -> Node[_Other]:
+    def map_patches(self, draw: Callable[[_Drawn], _Other]) -> Node[_Other]:
         """Return the same node with something else for each of its patches."""
         return Node(self.row, list(map(draw, self.patches)), self.front, self.back)
 

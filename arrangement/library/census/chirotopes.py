@@ -147,7 +147,7 @@ def canonical(signs: Signs, n: int) -> Coded:
     return Coded(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
-def carried(mine: Coded, theirs: Coded) -> tuple[NDArray[np.intp], Signs]:
+def relabelling(mine: Coded, theirs: Coded) -> tuple[NDArray[np.intp], Signs]:
     """Return how chirotopes of the same codes are carried onto others: orders and sides, (N, n).
 
     Element p of theirs is element ``order[p]`` of mine, multiplied by ``sides[p]``.

@@ -21,7 +21,7 @@ from arrangement.planes.identification import Identification
 from arrangement.planes.planes import Planes
 
 from .catalogue import MOST_PLANES, chirotopes, exact_chirotope, normals, places
-from .chirotopes import Coded, Signs, canonical, carried
+from .chirotopes import Coded, Signs, canonical, relabelling
 
 
 def identify(arrangement: Planes) -> Identification:
@@ -67,13 +67,13 @@ def identify(arrangement: Planes) -> Identification:
         is_simple = t_vector.keys() == {2} and (distinct.dimension == 3 or m == 3)
         if m <= MOST_PLANES:
             signs = exact_chirotope(distinct)
-            place, orders, turned, mine = found_type(signs, m)
+            place, orders, turned, mine = locate_type(signs, m)
             number, automorphisms = place + 1, int(mine.automorphisms[0])
             order = tuple(firsts[k] for k in orders)
             sides = tuple(turned.tolist())
             listed, (text,) = ic_number(m, place), texts(representatives(signs[None], m))
             if is_simplicial:
-                names = tuple(name for name, known in _named(m) if _same(known, mine.codes[0]))
+                names = tuple(name for name, known in _with_names(m) if _same(known, mine.codes[0]))
             elif not normals(m)[place].any():
                 names = ("Perles",)
     return Identification(
@@ -127,7 +127,7 @@ def _catalogue(m: int) -> tuple[Signs, NDArray[np.intp]]:
     return signs, (signs == 0).sum(1)
 
 
-def found_type(signs: Signs, m: int) -> tuple[int, NDArray[np.intp], Signs, Coded]:
+def locate_type(signs: Signs, m: int) -> tuple[int, NDArray[np.intp], Signs, Coded]:
     """Return the place of a chirotope in the census, how that type is carried onto it, its code.
 
     Element p of the representative is element ``order[p]``, multiplied by ``sides[p]``. The last
@@ -149,7 +149,7 @@ def _found_type(text: bytes, m: int) -> tuple[int, NDArray[np.intp], Signs, Code
     place = int(places(signs)[0]) if m == MOST_PLANES else _place(signs, mine.codes[0], m)
     if place < 0:
         raise LookupError("the code is not in the census")
-    order, sides = carried(mine, canonical(chirotopes(m, slice(place, place + 1)), m))
+    order, sides = relabelling(mine, canonical(chirotopes(m, slice(place, place + 1)), m))
     return place, order[0], sides[0], mine
 
 
@@ -161,7 +161,7 @@ def _place(signs: Signs, code: NDArray[np.int64], m: int) -> int:
     return int(alike[hits[0]]) if len(hits) else -1
 
 
-def _named(m: int) -> Iterator[tuple[str, Arrangement]]:
+def _with_names(m: int) -> Iterator[tuple[str, Arrangement]]:
     """Yield the simplicial arrangements of m planes of rank 3 that have usual names."""
     if m == 3:
         yield "coordinate planes", coordinate(3)

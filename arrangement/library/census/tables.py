@@ -72,7 +72,7 @@ def table(planes: int) -> Table:
     )
 
 
-def counted_alike(planes: int, chosen: Sequence[int] | None = None) -> tuple[int, int]:
+def compare_counts(planes: int, chosen: Sequence[int] | None = None) -> tuple[int, int]:
     """Count rays, facets and regions of types by the program that is proved in Coq, and compare.
 
     What it is compared with are the numbers that follow from the signs of triples of planes.

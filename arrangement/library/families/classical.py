@@ -14,7 +14,7 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.library.arguments import at_least, flag, planned
+from arrangement.library.arguments import at_least, check_reach, flag
 from arrangement.library.families.simplicial import mirrors
 from arrangement.numbers.exact import IntegerVector, shown
 from arrangement.numbers.linear.rank import unit_vectors
@@ -35,7 +35,7 @@ def generic(m: int, d: int = 3, *, affine: bool = False) -> Arrangement:
     (1, 12, 24, 14)
     """
     m, d, affine = at_least(m, 0, "m"), at_least(d, 1, "d"), flag(affine, "affine")
-    planned(m, d, d * m.bit_length())
+    check_reach(m, d, d * m.bit_length())
     normals = [[t**power for power in range(d)] for t in range(1, m + 1)]
     offsets = [t**d for t in range(1, m + 1)] if affine else None
     return Arrangement(normals, offsets, dimension=d)
@@ -52,7 +52,7 @@ def pencil(m: int, d: int = 3) -> Arrangement:
     """
     m = at_least(m, 0, "m")
     d = at_least(d, 2, "d")
-    planned(m, d)
+    check_reach(m, d)
     return Arrangement([[1, t, *(0,) * (d - 2)] for t in range(m)], dimension=d)
 
 
@@ -70,7 +70,7 @@ def near_pencil(m: int, d: int = 3) -> Arrangement:
     """
     m = at_least(m, 3, "m")
     d = at_least(d, 3, "d")
-    planned(m, d)
+    check_reach(m, d)
     rows = [[1, t, *(0,) * (d - 2)] for t in range(m - 1)]
     return Arrangement([*rows, [0, 0, 1, *(0,) * (d - 3)]])
 
@@ -86,7 +86,7 @@ def coordinate(d: int) -> Arrangement:
     (1, 6, 12, 8)
     """
     d = at_least(d, 1, "d")
-    planned(d, d)
+    check_reach(d, d)
     return Arrangement(unit_vectors(d))
 
 
@@ -100,7 +100,7 @@ def braid(n: int) -> Arrangement:
     (0, 1, 6, 6)
     """
     n = at_least(n, 1, "n")
-    planned(comb(n, 2), n)
+    check_reach(comb(n, 2), n)
     return Arrangement(differences(n), dimension=n)
 
 
@@ -114,7 +114,7 @@ def type_b(n: int) -> Arrangement:
     (1, 26, 72, 48)
     """
     n = at_least(n, 1, "n")
-    planned(n * n, n)
+    check_reach(n * n, n)
     return Arrangement([*unit_vectors(n), *differences(n), *sums(n)])
 
 
@@ -128,7 +128,7 @@ def type_d(n: int) -> Arrangement:
     (1, 14, 36, 24)
     """
     n = at_least(n, 2, "n")
-    planned(n * (n - 1), n)
+    check_reach(n * (n - 1), n)
     return Arrangement([*differences(n), *sums(n)])
 
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
-from arrangement.library.arguments import at_least, is_listed, planned
+from arrangement.library.arguments import at_least, check_reach, is_listed
 
 from .classical import differences, positive_roots, sums
 from .graphs import edge_differences
@@ -112,7 +112,7 @@ def ish(n: int) -> Arrangement:
     16
     """
     n = at_least(n, 1, "n")
-    planned(n * n, n)
+    check_reach(n * n, n)
     pairs = [(i, j) for i in range(n) for j in range(i + 1, n)]
     first = [[int(k == 0) - int(k == j) for k in range(n)] for _, j in pairs]
     offsets = [0] * len(pairs) + [i + 1 for i, _ in pairs]
@@ -130,7 +130,7 @@ def ish_b(n: int) -> Arrangement:
     25
     """
     n = at_least(n, 1, "n")
-    planned(2 * n * n, n)
+    check_reach(2 * n * n, n)
     axes = [(i, k) for i in range(1, n + 1) for k in range(i - n, n - i + 2)]
     units = [[int(j == i) for j in range(1, n + 1)] for i, _ in axes]
     mirrors = [*differences(n), *sums(n)]
@@ -147,9 +147,9 @@ def _deform(type: Type, offsets: Sequence[int]) -> Arrangement:
         rows, dimension = edge_differences(type)
     else:
         dimension = at_least(type, 1, "type")
-        planned(comb(dimension, 2) * size, dimension)
+        check_reach(comb(dimension, 2) * size, dimension)
         rows = differences(dimension)
-    planned(len(rows) * size, dimension)
+    check_reach(len(rows) * size, dimension)
     planes = [(row, offset) for row in rows for offset in offsets]
     return Arrangement(
         [row for row, _ in planes], [offset for _, offset in planes], dimension=dimension

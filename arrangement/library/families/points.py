@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
 from arrangement.errors import InputError
-from arrangement.library.arguments import at_least, flag, planned
+from arrangement.library.arguments import at_least, check_reach, flag
 from arrangement.library.families.classical import sums
 from arrangement.library.families.randoms import random_integer
 from arrangement.library.families.simplicial import regular_corners
@@ -65,7 +65,7 @@ def separations(polytope: str, n: int = 3) -> Arrangement:
         raise InputError(f"the polytope is {shown(polytope)}; there are {', '.join(_VERTICES)}")
     n = at_least(n, 1, "n")
     vertices = {"cross-polytope": 2 * n, "permutohedron": math.gamma(min(n, 169) + 1)}
-    planned(vertices.get(polytope, budget.power(2, n)), n + 1)
+    check_reach(vertices.get(polytope, budget.power(2, n)), n + 1)
     return Arrangement([(1, *vertex) for vertex in _VERTICES[polytope](n)])
 
 
@@ -88,7 +88,7 @@ def discriminantal(n: int, d: int = 3, *, affine: bool = False, seed: int = 0) -
     d, affine = at_least(d, 1, "d"), flag(affine, "affine")
     n = at_least(n, d, "n")
     width = d + affine
-    planned(budget.choose(n, width - 1), width, 400 * width)
+    check_reach(budget.choose(n, width - 1), width, 400 * width)
     points = random_integer(n, d, bound=999, seed=seed).integer_planes
     rows = _span([(*point[:-1], 1) if affine else point[:-1] for point in points], width)
     if affine:
@@ -122,7 +122,7 @@ def lines_through(points: Points) -> Arrangement:
     """
     given = exact_points(points)
     d = len(given[0])
-    planned(budget.choose(len(given), d), d)
+    check_reach(budget.choose(len(given), d), d)
     vectors = [primitive((*point, Fraction(1))) for point in given]
     rows = dict.fromkeys(unoriented(row) for row in _span(vectors, d + 1) if any(row))
     return Arrangement([row[:-1] for row in rows], [-row[-1] for row in rows], dimension=d)
@@ -169,7 +169,7 @@ def diagonals(n: int) -> Arrangement:
     (24, 18)
     """
     n = at_least(n, 3, "n")
-    planned(n * (n - 3) / 2, 2)
+    check_reach(n * (n - 3) / 2, 2)
     points = regular_corners(n)
     pairs = [(i, j) for i, j in combinations(range(n), 2) if 1 < j - i < n - 1]
     lines = [line_through(points[i], points[j]) for i, j in pairs]
@@ -189,7 +189,7 @@ def complete_bipartite(n: int) -> Arrangement:
     16
     """
     n = at_least(n, 1, "n")
-    planned(n * n, 2)
+    check_reach(n * n, 2)
     pairs = list(product(range(n), repeat=2))
     return Arrangement([(i - j, 1) for i, j in pairs], [i for i, _ in pairs])
 
@@ -212,7 +212,7 @@ def bisectors(points: Points) -> Arrangement:
     """
     given = exact_points(points)
     d = len(given[0])
-    planned(comb(len(given), 2), d)
+    check_reach(comb(len(given), 2), d)
     pairs = list(combinations(given, 2))
     normals = [[2 * (x - y) for x, y in zip(p, q, strict=True)] for p, q in pairs]
     offsets = [dot(p, p) - dot(q, q) for p, q in pairs]
@@ -230,7 +230,7 @@ def threshold(n: int) -> Arrangement:
     46
     """
     n = at_least(n, 1, "n")
-    planned(comb(n, 2), n)
+    check_reach(comb(n, 2), n)
     return Arrangement(sums(n), dimension=n)
 
 
@@ -245,7 +245,7 @@ def threshold_functions(n: int) -> Arrangement:
     14
     """
     n = at_least(n, 0, "n")
-    planned(budget.power(2, n), n + 1)
+    check_reach(budget.power(2, n), n + 1)
     return Arrangement([(1, *x) for x in product((0, 1), repeat=n)])
 
 
@@ -260,5 +260,5 @@ def resonance(n: int) -> Arrangement:
     32
     """
     n = at_least(n, 1, "n")
-    planned(budget.power(2, n), n)
+    check_reach(budget.power(2, n), n)
     return Arrangement([x for x in product((0, 1), repeat=n) if any(x)])

@@ -6,7 +6,7 @@ from math import isqrt
 from random import Random
 
 from arrangement.arrangement import Arrangement
-from arrangement.library.arguments import at_least, flag, planned, whole
+from arrangement.library.arguments import at_least, check_reach, flag, whole
 from arrangement.numbers.exact import IntegerVector
 
 
@@ -23,7 +23,7 @@ def random_integer(
     """
     m, d, bound = at_least(m, 0, "m"), at_least(d, 1, "d"), at_least(bound, 1, "bound")
     affine, seed = flag(affine, "affine"), whole(seed, "seed")
-    planned(m, d, bound.bit_length())
+    check_reach(m, d, bound.bit_length())
     source = Random(seed)
     normals = [_nonzero(source, d, bound) for _ in range(m)]
     offsets = [source.randint(-bound, bound) for _ in range(m)] if affine else None
@@ -58,7 +58,7 @@ def random_sphere(m: int, d: int = 3, *, bits: int = 20, seed: int = 0) -> Arran
     """
     m, d, bits = at_least(m, 0, "m"), at_least(d, 1, "d"), at_least(bits, 1, "bits")
     seed = whole(seed, "seed")
-    planned(m, d, 4 * bits)
+    check_reach(m, d, 4 * bits)
     source = Random(seed)
     return Arrangement([_unit_multiple(source, d, bits) for _ in range(m)], dimension=d)
 

@@ -78,7 +78,7 @@ def figure_of(document: Any, name: str) -> Arrangement | Segments:
     return made
 
 
-def tabulated(text: str, name: str) -> dict[str, Any] | None:
+def document_of_table(text: str, name: str) -> dict[str, Any] | None:
     """Return the document of a table with the columns x, y, or x1, y1, x2, y2; None for another.
 
     Raises:

@@ -100,7 +100,7 @@ def read_with_rest(
     """
     text, name = _text_of(source)
     form = _form_of(text, Path(source).suffix.lower())
-    if (table := documents.tabulated(text, name)) is not None:
+    if (table := documents.document_of_table(text, name)) is not None:
         return read(table, name), ""
     if not form.recognises(text) and not text.lstrip().startswith(("{", "[")):
         tables = (named(place)(text) for place in added("tables").values())

@@ -129,7 +129,7 @@ def _is_list_of_planes(one: Any) -> bool:
     )
 
 
-def _named(most: int) -> Iterator[tuple[str, Arrangement]]:
+def _with_names(most: int) -> Iterator[tuple[str, Arrangement]]:
     """Yield a member of each type that has a name: all up to six planes, then simplicial ones."""
     for m in range(3, NAMED_PLANES + 1):
         yield from ((f"{m}.{k}", one) for k, one in enumerate(census(m), 1))
@@ -196,7 +196,7 @@ def lab_page(
             {"name": name, "arrangement": read_arrangement(source).to_dict()}
             for name, source in _EXAMPLES
         ],
-        "named": [[len(one), name, one.to_dict()["planes"]] for name, one in _named(most)],
+        "named": [[len(one), name, one.to_dict()["planes"]] for name, one in _with_names(most)],
         "exercises": line_exercises(exercises),
         "own": exercises is not None,
     }

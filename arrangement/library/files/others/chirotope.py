@@ -32,7 +32,7 @@ from arrangement.counts.oriented_matroid import ORDERS, chirotope, chirotope_str
 from arrangement.errors import InputError
 from arrangement.library.census.catalogue import MOST_PLANES, normals
 from arrangement.library.census.chirotopes import Signs, alternating, triples
-from arrangement.library.census.identify import found_type
+from arrangement.library.census.identify import locate_type
 from arrangement.numbers.exact import IntegerVector, primitive, rational, shown
 from arrangement.numbers.linear.programs import some_point
 from arrangement.numbers.linear.rank import determinant
@@ -107,7 +107,7 @@ def _attempts(signs: Signs, m: int) -> Iterator[list[IntegerVector] | None]:
 
 def _of_census(signs: Signs, m: int) -> list[IntegerVector] | None:
     try:
-        place, order, sides, _ = found_type(signs, m)
+        place, order, sides, _ = locate_type(signs, m)
     except LookupError:
         return None
     if not normals(m)[place].any():
