@@ -10,7 +10,7 @@ gap that is named.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -34,7 +34,7 @@ from equilibrium.certificate.parameter import (
     parameter_problem,
     question_entry,
 )
-from equilibrium.certificate.reading import SCHEMA_VERSION, STATES, Place
+from equilibrium.certificate.reading import SCHEMA_VERSION, Place
 from equilibrium.certificate.tree import placed_leaves
 from equilibrium.core.contact_law import ContactState, LinearQuestion, State
 from equilibrium.core.contact_program import ContactProgram
@@ -45,7 +45,7 @@ from equilibrium.grasps.inputs.parameter import read_parametric
 from equilibrium.model.errors import GraspError
 from equilibrium.model.parameter import ParametricQuestion, interval
 from equilibrium.model.rows import ContactRow, ContactRows
-from equilibrium.model.solution import Leaf
+from equilibrium.model.solution import Leaf, Solution, with_leaves
 from equilibrium.plane.search.motion_regions import HALF_SPACE
 from equilibrium.plane.search.region_states import StateSplits, TooManyParts
 
@@ -56,10 +56,10 @@ if TYPE_CHECKING:
 TOLERANCE = Fraction(1, 10**6)
 #: Questions that are asked at most.
 _MOST_QUESTIONS = 200
+#: The keys of a proof in a certificate.
+_PROOF = ("motion", "forces", "tree")
 #: Programs for a proof by states alone.
 _MOST_PROGRAMS = 100
-#: How the checker orders the states of a contact.
-_ORDER = {state: k for states in STATES.values() for k, state in enumerate(states)}
 
 
 class Piece(NamedTuple):
@@ -341,7 +341,7 @@ class _Search:
         if verdict.verdict == "undecided":
             return
         best: Piece | None = None
-        for proof in self._proofs(value, gap, verdict.certificate.to_dict()):
+        for proof in self._proofs(value, gap, verdict):
             span = self._reach(proof, value, gap)
             if span is None:
                 continue
@@ -356,30 +356,25 @@ class _Search:
             if min(value - gap.low, gap.high - value) <= self.tolerance:
                 self.near |= {best.span.low, best.span.high}
 
-    def _proofs(
-        self, value: Fraction, gap: Span, document: Mapping[str, Any]
-    ) -> Iterator[Mapping[str, Any]]:
+    def _proofs(self, value: Fraction, gap: Span, verdict: Any) -> Iterator[Mapping[str, Any]]:
         """Yield proofs that hold at a value, those first that may hold far from it."""
         family = self.family
-        if "tree" not in document:
+        if verdict.solution is not None:
             for slips in (False, True):
-                carried = _carried(family, value, document, slips_at_limit=slips)
+                carried = _carried(family, value, verdict.solution, slips_at_limit=slips)
                 if carried is not None:
                     yield carried
-            yield {key: document[key] for key in ("motion", "forces")}
-            return
-        by_states = self._tree_by_states(value, document["tree"])
-        if by_states is not None:
+        elif (by_states := self._tree_by_states(value, verdict.tree)) is not None:
             is_narrow = gap.high - gap.low <= self.tolerance
             # Of an assembly leaves are rounded, and so near their conditions.
             for room in (1, 0) if is_narrow else (0,) if family.names is None else (-1, 0):
                 yield {"tree": _carried_tree(family, value, by_states, room)}
-        yield {"tree": document["tree"]}
+        yield {key: verdict.proof[key] for key in _PROOF if key in verdict.proof}
 
     def _tree_by_states(self, value: Fraction, tree: Any) -> Any:
         """Return a proof at a value by states alone, if there is one that is not too long."""
         if self.family.names is not None:
-            return None if "part" in tree else tree
+            return None if isinstance(tree, dict) and "part" in tree else tree
         question: Any = self.family.at(value)
         grasp, wrench = question
         contacts, load = IntegerContacts(grasp), grasp.total_load(wrench)
@@ -397,14 +392,6 @@ class _Search:
             return None
 
 
-def _with_leaves(node: Any, change: Callable[[], Any]) -> Any:
-    """Return a tree by states with other leaves, made in the order of the checker."""
-    if not isinstance(node, Mapping) or "virtual_motion" in node:
-        return change()
-    pairs = sorted(node.items(), key=lambda pair: _ORDER.get(pair[0], 0))
-    return {key: x if key == "contact" else _with_leaves(x, change) for key, x in pairs}
-
-
 class _Everywhere(Domain):
     """Of functions as such: what is 0 at a value alone is not 0."""
 
@@ -416,7 +403,7 @@ class _Everywhere(Domain):
 def _carried(
     family: ParametricQuestion,
     value: Fraction,
-    document: Mapping[str, Any],
+    solution: Solution,
     *,
     slips_at_limit: bool,
 ) -> Mapping[str, Any] | None:
@@ -433,13 +420,9 @@ def _carried(
         frame: list[Any] = [tuple(zero + x for x in wrench) for wrench in wrenches]
         functions: list[Any] = [zero + x for x in values]
         posed.append(ContactRow(frame[0], (frame[1],), *functions))
-    names, motion = family.names or (), document["motion"]
-    numbers = [x for name in names for x in motion[name]] if names else motion
-    d = list(map(Fraction, numbers))
-    states: list[State] = []
+    d, states = solution.motion, list[State]()
     known = [*d]
-    for row, force in zip(posed, document["forces"], strict=True):
-        normal, friction = map(Fraction, force)
+    for row, (normal, friction) in zip(posed, solution.forces, strict=True):
         slip = sum(x.at(value) * y for x, y in zip(row.tangential_wrenches[0], d, strict=True))
         limit = row.friction.at(value) * normal
         if not normal:
@@ -473,9 +456,12 @@ def _carried_tree(family: ParametricQuestion, value: Fraction, tree: Any, room: 
     domain = Domain(Span(value, value), letter=family.letter)
     rows, load = function_rows(family, domain), family.load(domain)
     form = form_of(family, lambda number, _: Fraction(number))
-    places = placed_leaves(tree, TreeQuestion(rows, load, form))
     work = applied(rows, load) if room else ()
-    return _with_leaves(tree, lambda: _carried_leaf(family, value, rows, work, room, *next(places)))
+    carried = {
+        id(leaf): _carried_leaf(family, value, rows, work, room, leaf, place)
+        for leaf, place in placed_leaves(tree, TreeQuestion(rows, load, form))
+    }
+    return with_leaves(tree, lambda leaf: carried[id(leaf)])
 
 
 def _carried_leaf(
