@@ -45,6 +45,7 @@ _SYNONYMS = {
     "polynomial": "arrangement count FILE",
     "chambers": "arrangement count FILE",
     "regions": "arrangement count FILE",
+    "vertices": "arrangement faces FILE --dimension 0",
     "chi": "arrangement count FILE",
     "bounds": "proofs-check run slip-state-counts fukuda-bound",
     "families": "arrangement list --families",
@@ -52,6 +53,7 @@ _SYNONYMS = {
     "import": "arrangement convert FILE --from FORMAT --number K, or arrangement list FILE",
     "plot": "arrangement draw",
     "show": "arrangement draw",
+    "--bounded": "arrangement faces FILE --bounded",
     "--proved": "--verified",
     "--types": "--classes",
 }
@@ -106,7 +108,9 @@ def _parser() -> Parser:
     make = add("make", _make, text, file=None, heading="more")
     make.lazy_options = lambda: _later("library.commands").add_families(make)
     text = "convert between the formats of other programs"
-    _later("library.commands").add_convert_options(add("convert", _convert, text, heading="more"))
+    convert = add("convert", _convert, text, heading="more")
+    convert.strays[r"[^-].*\.\w+"] = "-o PATH"
+    _later("library.commands").add_convert_options(convert)
     text = "write a page in which lines and great circles are dragged and counted"
     page = add("lab", _lab, text, file="?", heading="more")
     page.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
@@ -156,9 +160,10 @@ def _later(module: str) -> Any:
 
 
 def _read(arguments: argparse.Namespace, name: str = "file") -> Arrangement:
-    from .library.files.table import read_arrangement
+    from .library.files.table import read_arrangement, read_polygon
 
-    return read_arrangement(getattr(arguments, name))
+    read = read_polygon if name == "inside" else read_arrangement
+    return read(getattr(arguments, name))
 
 
 def _count(arguments: argparse.Namespace) -> int:

@@ -56,7 +56,7 @@ def command_parser(
     parser = Parser(prog=prog, description=description, epilog=_exit_codes(every))
     parser.add_argument("--version", action=Version)
     parser.add_argument("--print-completion", action=PrintCompletion)
-    parser.synonyms = synonyms or {}
+    parser.synonyms = {"help": f"{prog} COMMAND --help", **(synonyms or {})}
     return parser
 
 

@@ -84,6 +84,7 @@ def add_options(
             _add(parser, uses[flag], asked)
     names = {f"--{old}": f"--{new}" for old, new in OPTION_SYNONYMS.items() if new in uses}
     parser.synonyms = {**parser.synonyms, **_SYNONYMS, **names}
+    parser.strays["mm|cm|in|pt"] = "a length in one word, such as 10cm"
     added = {*parser._actions} - before
     if asked:
         _describe(parser, drawings, asked)

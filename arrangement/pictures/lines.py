@@ -46,7 +46,7 @@ from arrangement.drawing.solids.flat_polygons import between, clipped
 from arrangement.drawing.views import Corner
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError, refusal
-from arrangement.library.files.table import read_arrangement
+from arrangement.library.files.table import read_polygon
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -85,7 +85,7 @@ from arrangement.planes.polygon import Inside, bounding_planes
 def _polygon_file(path: str) -> Arrangement:
     """Read a polygon for the command line (the ``type=`` of an argument)."""
     try:
-        return read_arrangement(path)
+        return read_polygon(path)
     except InputError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
 

@@ -22,6 +22,8 @@ _SYNONYMS = {
     "exercises": "proofs-check grade FILE.py",
     "--refuted": "proofs-check run, which prints the verdicts",
     "--list": "proofs-check list",
+    "--max": "--classes",
+    "--random": "--samples",
     "table": "proofs-check run FILE.csv",
     "status": "proofs-check sweep --store FILE --status",
     "merge": "proofs-check sweep --store FILE --merge PART ...",

@@ -56,6 +56,7 @@ _SYNONYMS: Mapping[str, str] = {
     "r": "regions",
     "b": "bounded_regions",
     "bounded": "bounded_regions",
+    **{f"f{k}": f"f_vector[{k}]" for k in range(5)},
     "faces": "F, or f_vector[k] for those of dimension k",
     "edges": "E",
     "vertices": "V",
@@ -69,7 +70,9 @@ _SYNONYMS: Mapping[str, str] = {
     "whitney": "polynomial",
     "product": "*",
 }
-_TOKEN = re.compile(r"\w+|\s+|.", re.DOTALL)
+_TOKEN = re.compile(r"\w+|\s+|[<>=!]=|.", re.DOTALL)
+#: Signs of mathematics, as Python has them.
+_SIGNS = {"^": "**", "=": "==", "≤": "<=", "≥": ">=", "≠": "!="}
 _BEFORE_OPERANDS = {"and", "or", "not", "in", "implies", "if", "else"}
 
 
@@ -142,9 +145,9 @@ class _TypedPiece(NamedTuple):
 
 
 def _as_python(text: str) -> list[_TypedPiece]:
-    """Return a text with powers and implications as Python reads them, in pieces.
+    """Return a text with powers, equality and implications as Python reads them, in pieces.
 
-    >>> text = "(simple implies regions == m^2 - m + 2) and m > 2"
+    >>> text = "(simple implies regions = m^2 - m + 2) and m > 2"
     >>> "".join(piece.python for piece in _as_python(text))
     '(implies(simple , regions == m**2 - m + 2)) and m > 2'
     """
@@ -153,7 +156,7 @@ def _as_python(text: str) -> list[_TypedPiece]:
     previous = ""
     for match in _TOKEN.finditer(text):
         token, arguments = match[0], groups[-1][1]
-        piece = _TypedPiece("**" if token == "^" else token, *match.span())
+        piece = _TypedPiece(_SIGNS.get(token, token), *match.span())
         if token in "([{":
             groups.append(([piece], [[[]]]))
         elif token in ")]}" and len(groups) > 1:

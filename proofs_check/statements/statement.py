@@ -359,7 +359,9 @@ class Registry(ReprMixin):
     def __getitem__(self, id: str) -> Claim:
         if id in self._claims:
             return self._claims[id]()
-        near = get_close_matches(id, self._claims, n=3, cutoff=0.4)
+        place = id.replace(" ", "").lower()
+        near = [claim.id for claim in self if claim.locator.replace(" ", "").lower() == place]
+        near = near or get_close_matches(id, self._claims, n=3, cutoff=0.4)
         hint = f"the nearest are {', '.join(near)}" if near else "no id is near"
         raise UnknownClaimError(
             f"no claim has the id {shown(id)}; {hint} (proofs-check list has all)"

@@ -49,6 +49,7 @@ def test_other_words_are_answered_with_the_name(capsys):
     terminal.add_command(commands, "go", "go there", heading="common")
     for words, answer in (
         (["walk"], "error: there is no 'walk'; write 'demo go --fast' ("),
+        (["help"], "error: there is no 'help'; write 'demo COMMAND --help' ("),
         (["go", "--speed", "3"], "error: there is no '--speed'; write '--wrench' ("),
         (["go", "--speed=3"], "error: there is no '--speed'; write '--wrench' ("),
     ):

@@ -187,3 +187,10 @@ def test_claims_of_the_paper_are_made_when_asked_for():
 def test_words_of_implementations_are_those_of_the_text(words):
     with pytest.raises(ValueError, match="expected elimination, solver"):
         stated("single-solution", cases=numbers, judge=strictly, **dict.fromkeys(words, abs))
+
+
+def test_place_in_the_paper_names_its_claims():
+    with pytest.raises(
+        UnknownClaimError, match="the nearest are fukuda-bound, fukuda-bound-attain"
+    ):
+        registry()["eq.11"]

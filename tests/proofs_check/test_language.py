@@ -54,6 +54,7 @@ LINES = generic(4, 2, affine=True)
         ("regionss > 3", "did you mean regions"),
         ("REGIONS > 3", "did you mean regions"),
         ("v > 3", "did you mean V.? "),
+        ("f0 > 3", r"write f_vector\[0\]"),
         ("Chi(1) > 3", r"did you mean chi\(t\)"),
     ],
 )
@@ -66,6 +67,8 @@ def test_what_has_no_one_meaning_is_refused(text, message):
     ("text", "value"),
     [
         ("regions <= m^2 - m + 2", True),
+        ("regions ≤ m^2 - m + 2 and regions ≥ m and regions ≠ m", True),
+        ("V - E + F = 2", True),
         ("2^3^2 == 512 and -m^2 == 0 - 36", True),
         ("binomial(m, 2) == comb(m, 2) == 15", True),
         ("factorial(4)", 24),

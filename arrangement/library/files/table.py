@@ -50,10 +50,9 @@ _BY_ENDING = {ending: form for form in FORMATS.values() for ending in form.endin
 def read_arrangement(source: Source) -> Arrangement:
     """Read an arrangement from a path, ``"-"`` (stdin), a built-in name or a mapping.
 
-    Equations, as in ``"x = 0; x + y = 1"``, and corners of a polygon, ``"0,0; 4,0; 0,4"``, may
-    stand in place of a path. Which of the formats a text is in is seen from the text. A grasp file
-    (or name, or table of contacts) is accepted too, when the package that knows grasps is
-    installed: its tangential planes are meant.
+    Equations, as in ``"x = 0; x + y = 1"``, may stand in place of a path. Which of the formats a
+    text is in is seen from the text. A grasp file (or name, or table of contacts) is accepted too,
+    when the package that knows grasps is installed: its tangential planes are meant.
 
     Raises:
         InputError: for anything that is not exactly a valid text of one arrangement.
@@ -65,6 +64,16 @@ def read_arrangement(source: Source) -> Arrangement:
         return documents.arrangement_of(dict(source), "the document")
     made: Arrangement = read_with_rest(source)[0]
     return made
+
+
+def read_polygon(source: str) -> Arrangement:
+    """Read the sides of a polygon as `read_arrangement` does, or from corners ``0,0; 4,0; 0,4``."""
+    if not _CORNERS.fullmatch(source) or os.path.lexists(source):
+        return read_arrangement(source)
+    plain = re.sub(r"[\])]\s*,\s*[\[(]", ";", source).strip("()[]; ")
+    points = re.split(r"[;\s]+", re.sub(r"\s*,\s*", ",", plain))
+    table = documents.tabulated("\n".join(["x,y", *points]), shown(source))
+    return documents.arrangement_of(table, shown(source))
 
 
 def read_segments(source: Source) -> Segments:
@@ -117,14 +126,10 @@ def read_with_rest(
 
 
 def _text_of(source: str | os.PathLike[str]) -> tuple[str, str]:
-    """Return a text and its name for messages: that of a file, or what stands in its place."""
-    if isinstance(source, str) and not os.path.lexists(source):
-        if "=" in source and Path(source).suffix.lower() not in _BY_ENDING:
-            return source.replace(",", ";"), shown(source)
-        if _CORNERS.fullmatch(source):
-            plain = re.sub(r"[\])]\s*,\s*[\[(]", ";", source).strip("()[]; ")
-            points = re.split(r"[;\s]+", re.sub(r"\s*,\s*", ",", plain))
-            return "\n".join(["x,y", *points]), shown(source)
+    """Return a text and its name for messages: that of a file, or equations in its place."""
+    typed = Path(source).suffix.lower() not in _BY_ENDING and not os.path.lexists(source)
+    if isinstance(source, str) and "=" in source and typed:
+        return source.replace(",", ";"), shown(source)
     return read_text(source)
 
 
