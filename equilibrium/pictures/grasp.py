@@ -15,6 +15,7 @@ from arrangement.drawing.views import Corner, Exact, Vector, picture
 from arrangement.numbers.exact import sign
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
+from equilibrium.model.assembly import Assembly
 from equilibrium.model.displacement import NOT_SMALL, displacement_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -24,6 +25,7 @@ from equilibrium.plane.states.contact_states import states_at
 from equilibrium.plane.states.equilibrium import Equilibrium
 from equilibrium.wrench_sets.margin import limit_words
 
+from .assemblies import draw_assembly
 from .body import body, frame_of, free_lengths, stated_body
 from .layout import DrawnBody, DrawnLoad, PlaneLayout
 from .space_grasp import decided_in_space, drawn_in_space, solved_in_space
@@ -91,7 +93,9 @@ def draw_grasp(
 
 
 def verdict_scene(verdict: Verdict, width: float = 88.0) -> Scene:
-    """Return the picture of a verdict: the grasp with its wrench, and an equilibrium if any."""
+    """Return the picture of a verdict: bodies with their wrenches, and an equilibrium if any."""
+    if isinstance(verdict.subject, Assembly):
+        return draw_assembly.scene(verdict, width=width)
     if verdict.grasp.dimension == 3:
         solid, note = decided_in_space(verdict)
         return drawn_in_space(solid, None, 0.0, width, note)

@@ -22,7 +22,6 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Solution
 from equilibrium.plane.states.equilibrium import Equilibrium
 
-from .assemblies import draw_assembly
 from .grasp import draw_grasp, verdict_scene
 
 if TYPE_CHECKING:
@@ -40,9 +39,8 @@ def verdict_svg(verdict: Verdict) -> str | None:
     """
 
     def made() -> Drawing:
-        if isinstance(verdict.subject, Assembly):
-            return draw_assembly(verdict)
-        budget.check_size(len(verdict.grasp), "contacts in a picture")
+        if not isinstance(verdict.subject, Assembly):
+            budget.check_size(len(verdict.grasp), "contacts in a picture")
         return drawing(verdict_scene(verdict))
 
     with suppress(OverflowError):

@@ -9,11 +9,9 @@ from arrangement.drawing.scene import FONT, POINTS, Scene
 from arrangement.drawing.views import Exact, picture
 from arrangement.numbers.exact import rational, shown
 from equilibrium.decide.solver import solve
-from equilibrium.model.assembly import Assembly
 from equilibrium.model.errors import GraspError
 from equilibrium.wrench_sets.parameter import ResistedValues
 
-from .assemblies import draw_assembly
 from .grasp import verdict_scene
 from .style import FILLS, symbol
 
@@ -48,7 +46,8 @@ def draw_values(
         values = [rational(value, "value")]
         if values[0] not in answer.between:
             raise GraspError(f"value is {shown(value)}; expected one in {answer.between}")
-    scenes = [_object(answer, value, (width - _GAP / POINTS) / 2) for value in values]
+    verdicts = [solve(*answer.family.at(value)) for value in values]
+    scenes = [verdict_scene(verdict, (width - _GAP / POINTS) / 2) for verdict in verdicts]
     tall = max((scene.height for scene in scenes), default=0.0)
     whole = Scene(width, (_BELOW + _THICK + _ABOVE + tall) / POINTS)
     bar = _Bar(whole, answer)
@@ -69,14 +68,6 @@ def draw_values(
             at = _value_text(answer, end.value)
             whole.legend.line(f"in all equilibria at {at}: {end.gives.words}")
     return whole
-
-
-def _object(answer: ResistedValues, value: Fraction, width: float) -> Scene:
-    subject, load = answer.family.at(value)
-    verdict = solve(subject, load)
-    if isinstance(subject, Assembly):
-        return draw_assembly.scene(verdict, width=width)
-    return verdict_scene(verdict, width)
 
 
 def _explain_once(whole: Scene, scene: Scene, head: str) -> None:
