@@ -91,10 +91,11 @@ class EngineScene(ReprMixin):
         numbers = chain.from_iterable(
             (*c.point, c.friction, c.stiffness, 1 / c.stiffness, c.preload) for c in grasp
         )
-        if max(map(abs, chain(numbers, *self.directions))) > _LARGEST:
+        sizes = [max(map(abs, direction)) for direction in self.directions]
+        if max(*map(abs, numbers), *sizes, *(1 / size for size in sizes)) > _LARGEST:
             raise GraspError(
-                "a number of the scene is larger than 10^9, or a stiffness smaller than 10^-9, "
-                "which engines do not take; choose other units"
+                "a number of the scene is larger than 10^9, or a stiffness or a load smaller than "
+                "10^-9, which engines do not take; choose other units"
             )
         points = np.array([_in_space(c.point) for c in grasp])
         self.centre: _Vector = points.mean(axis=0)

@@ -423,9 +423,12 @@ CASES = [
         ("info box-3-walls --modes --time-limit 1/2", "the modes of 12 contacts"),
         *((f"make {form} none.{end}", "none") for form, end in (("csv", "csv"), ("floats", "csv"))),
         ("make floats none.json", "none.json"),
+        (f"draw {THREE} -o a.stl --size 1e-4000", "give a number above 0 in mm"),
+        (f"draw {THREE} -o a.xml --model scene --wrench 1e-4000 0 0", "smaller than 10^-9"),
         *(
             (f"draw {THREE} -o a.svg {options}", said)
             for options, said in (
+                ("--font-size 1e-4000", "the font size is '1e-4000'; give a number above 0"),
                 ("--view mood", "mood"),
                 ("--view resist --equilibrium 1", "equilibrium"),
                 (f"--view polar {UP}", "wrench"),

@@ -67,7 +67,7 @@ def millimetres(value: object, name: str, unit: str = "mm") -> float:
             number = rational(given.removesuffix(unit).strip())
     if isinstance(number, (int, float, Fraction)) and 0 < number < 100_000:
         length = float(number) * _UNITS[unit]
-        if length < 10_000:
+        if 0 < length < 10_000:  # a tiny number may be 0 as a float
             return length
     raise InputError(
         f"{name} is {shown(value)}; give a number above 0 in {unit}, or one with mm, cm, in or pt "

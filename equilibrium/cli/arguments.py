@@ -14,7 +14,7 @@ from arrangement.console.colours import print_verdict
 from arrangement.console.options import values
 from arrangement.errors import InputError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import RationalVector, shown, to_text
+from arrangement.numbers.exact import RationalVector, number_text, shown, to_text
 from equilibrium.model.errors import GraspError
 from equilibrium.model.labels import AS_ROUNDED
 
@@ -301,12 +301,16 @@ def read(arguments: argparse.Namespace) -> Grasp:
 def tell_rounding(conversion: Conversion) -> None:
     """Report on stderr how much numbers changed, and which incidences are preserved."""
     if not conversion.exact:
-        point, angle = (
-            float(max(map(abs, errors), default=0))
-            for errors in (conversion.point_errors, conversion.angle_errors)
+        point, angle, value = (
+            number_text(max(map(abs, errors), default=Fraction(0)), 2, longest=0).removeprefix("≈")
+            for errors in (
+                conversion.point_errors,
+                conversion.angle_errors,
+                (conversion.value_error,),
+            )
         )
-        value = f", values by {float(conversion.value_error):.2g}" if conversion.value_error else ""
-        text = f"rounded: points by {point:.2g}, normals by {angle:.2g} radians{value}"
+        values_text = f", values by {value}" if conversion.value_error else ""
+        text = f"rounded: points by {point}, normals by {angle} radians{values_text}"
         print(text, file=sys.stderr)
     for remark in conversion.remarks:
         print(f"note: {remark}", file=sys.stderr)

@@ -72,8 +72,14 @@ def name_wrench(
 
 
 def ticks(middle: Fraction, half: Fraction, factor: Fraction = _ONE) -> Iterator[tuple[float, str]]:
-    """Yield the places of round numbers on a ruler from -1 to 1, and the numbers over a factor."""
-    step = nice(0.6 * float(half))
+    """Yield the places of round numbers on a ruler from -1 to 1, and the numbers over a factor.
+
+    Beyond floats there are none.
+    """
+    near = nearest_float(half)
+    if not near or not math.isfinite(near):
+        return
+    step = nice(0.6 * near)
     for i in range(math.ceil((middle - half) / step), math.floor((middle + half) / step) + 1):
         text = f"{float(i * step / factor):g}".replace("-", "−")
         yield float((i * step - middle) / half), text

@@ -19,7 +19,7 @@ import numpy as np
 from arrangement.console.number_form import LABEL, counted
 from arrangement.drawing.colours import BLACK, GREY, VERMILION, pale
 from arrangement.drawing.pages import PageFace, SolidPage, page_face
-from arrangement.drawing.scene import Floats, Legend, Scene
+from arrangement.drawing.scene import Floats, Legend, Scene, millimetres
 from arrangement.drawing.solids.depth_tree import Node, SolidSheet, depth_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.sight import (
@@ -553,7 +553,7 @@ def wrench_set_model(
         InputError: a set without volume.
     """
     box = wrench_box(grasp, read_extent(extent))
-    half = size / 2
+    half = millimetres(size, "size") / 2
     parts = []
     for piece, shape in zip(box.pieces, box.shapes, strict=True):
         if shape.dimension == 3:

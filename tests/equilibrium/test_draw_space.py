@@ -289,6 +289,11 @@ def test_a_box_of_ones_own_and_a_narrow_sheet():
         draw_wrench_set(grasp, extent=0)
 
 
+def test_box_below_floats_has_edges_without_numbers():
+    scene = sheet_of(read_grasp("paper-three-contacts-preload-1"), extent="1e-4000", width=88)
+    assert sum(item.name.startswith("box-") for item in scene.items) == 12
+
+
 def test_a_wrench_is_marked_as_resisted_or_not():
     grasp = read_grasp("paper-three-contacts-preload-1")
     marks = {

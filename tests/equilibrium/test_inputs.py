@@ -3,6 +3,7 @@
 import io
 import json
 import math
+import re
 from dataclasses import replace
 from fractions import Fraction
 
@@ -381,6 +382,8 @@ def test_commands_take_tables_and_round_normals_on_demand(capsys, tmp_path):
     assert main(["lab", str(table), "-o", str(tmp_path / "lab.html")]) == 0
     assert main(["solve", str(slanted), "--wrench", "0,0,0", "--round-normals"]) in (0, 1)
     assert "rounded: points by 0, normals by 3.3e-10 radians" in capsys.readouterr().err
+    assert main(["make", "circle", "--angles", "1", "--friction", "1", "--radius", "1e4000"]) == 0
+    assert re.search(r"rounded: points by \S+e\+39\d\d, normals", capsys.readouterr().err)
 
 
 @pytest.mark.parametrize("name", ["points", "normals", "friction", "stiffness", "preload"])

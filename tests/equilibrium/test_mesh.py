@@ -375,6 +375,13 @@ def test_nothing_asked_for_and_directions_that_nothing_faces(cube):
         on_mesh(cube, 1, random=1, facing=(1, 1, 1))
 
 
+def test_points_beyond_floats_are_refused_directions_are_not(cube):
+    with pytest.raises(GraspError, match="point 2 is beyond 1e60"):
+        on_mesh(cube, 1, at=[(1, 0, 0), ("1e4000", 0, 0)])
+    far = on_mesh(cube, 1, random=1, facing=("1e4000", 0, 0))
+    assert far.grasp == on_mesh(cube, 1, random=1, facing=(1, 0, 0)).grasp
+
+
 def test_the_command(cube, capsys):
     call = ["make", "mesh", str(cube), "--friction", "1/2", "--at"]
     assert main([*call, "1", "1/5", "0", "1/3", "1.01", "0", "--units", "mm", "N"]) == 0

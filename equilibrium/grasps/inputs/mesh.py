@@ -29,7 +29,7 @@ from equilibrium.model.outline import Mesh, coordinates
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values, snapped
 from .incidences import converted
-from .mesh_files import Facets, read_triangles
+from .mesh_files import FARTHEST, Facets, read_triangles
 from .rounding import rounding
 
 #: A point is on the surface when it is no farther away than this share of the size.
@@ -163,6 +163,9 @@ def on_mesh(
     """
     surface = Surface.read(path)
     wanted = [coordinates(point, f"point {i + 1}", 3) for i, point in enumerate(at)]
+    for i, point in enumerate(wanted, 1):
+        if max(map(abs, point)) > FARTHEST:
+            raise GraspError(f"point {i} is beyond 1e60; give a place near the surface")
     corners = surface.corners
     found = _nearest(surface, corners, wanted, from_floats(max_distance), smooth)
     found += _drawn(surface, corners, random, seed, facing)
@@ -275,7 +278,7 @@ def _drawn(
         direction = coordinates(facing, "facing", 3)
         if not any(direction):
             raise GraspError("facing is the zero vector; give a direction")
-        towards = np.array(direction, float)
+        towards = np.array([x / max(map(abs, direction)) for x in direction], float)
         cosines = normals @ towards / (areas * np.linalg.norm(towards))
         chosen = np.flatnonzero(cosines >= _FACING)
         if not len(chosen):

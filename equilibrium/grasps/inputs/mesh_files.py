@@ -37,7 +37,7 @@ _BYTES_OF_FACET, _BYTES_OF_POINT = 350, 100
 #: A line, and the header of a PLY file.
 _LONGEST = 2**20
 #: Products of four coordinates are floats.
-_FARTHEST = 1e60
+FARTHEST = 1e60
 _BINARY_STL = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attributes", "<u2")])
 #: The words of a facet of an ASCII STL file; empty where a number is.
 _STL_FACET = ["facet", "normal", *3 * [""], "outer", "loop", *3 * ["vertex", "", "", ""]]
@@ -89,7 +89,7 @@ def read_triangles(path: Path) -> Triangles:
     check_size(len(facets), len(points))
     if not len(facets):
         raise GraspError(f"{path} has no facets; give a mesh with a closed surface")
-    if not (np.abs(points) <= _FARTHEST).all():
+    if not (np.abs(points) <= FARTHEST).all():
         raise GraspError(f"{path} has coordinates that are not numbers, or beyond 1e60")
     if facets.min() < 0 or facets.max() >= len(points):
         worst = facets.min() if facets.min() < 0 else facets.max()
