@@ -464,7 +464,6 @@ def _identify(arguments: argparse.Namespace) -> int:
 
 
 def _draw(arguments: argparse.Namespace) -> int:
-    from .arrangement import Arrangement
     from .drawing.command import given_options, write
     from .library.files.table import read_figure
     from .pictures.looks import read_names
@@ -472,7 +471,7 @@ def _draw(arguments: argparse.Namespace) -> int:
     from .segments import Segments
 
     figure = read_figure(arguments.file)
-    if isinstance(figure, Arrangement) and arguments.names is not None:
+    if arguments.names is not None:
         figure, arguments.names = figure.named(read_names(arguments.names)), None
     drawings = SEGMENTS if isinstance(figure, Segments) else DRAWINGS.of(figure)
     return write(arguments, drawings, figure, given_options(arguments, drawings, DRAWINGS))

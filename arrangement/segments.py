@@ -13,6 +13,7 @@ from arrangement.errors import HintsMixin, InputError
 from arrangement.numbers.exact import RationalVector, rational_vector, shown
 from arrangement.numbers.real import field_of, written
 from arrangement.numbers.symbolic import entry, in_one_field, listed
+from arrangement.planes.planes import Names, checked_names
 from arrangement.planes.polygon import line_through
 
 if TYPE_CHECKING:
@@ -26,6 +27,7 @@ class Segments(HintsMixin):
 
     Args:
         ends: for each segment its two different ends, with exact numbers as of `Arrangement`.
+        names: of the segments, in their order, "" for none; or by number, from 1 on.
 
     Raises:
         InputError: a float, or what is not two different points of the plane.
@@ -37,9 +39,10 @@ class Segments(HintsMixin):
     """
 
     ends: tuple[tuple[RationalVector, RationalVector], ...]
+    names: tuple[str, ...]
     _synonyms: ClassVar[Mapping[str, str]] = synonyms.SEGMENTS
 
-    def __init__(self, ends: Iterable[_Points]) -> None:
+    def __init__(self, ends: Iterable[_Points], names: Names = ()) -> None:
         given = [listed(pair, "ends") for pair in listed(ends, "segments")]
         for i, pair in enumerate(given):
             if len(pair) != 2:
@@ -55,6 +58,8 @@ class Segments(HintsMixin):
                     f"segments[{i}] is {shown(given[i])}; give two different points of R^2"
                 )
 
+        self.names = checked_names(names, len(self.ends), "segment")
+
     def __len__(self) -> int:
         return len(self.ends)
 
@@ -69,9 +74,14 @@ class Segments(HintsMixin):
 
     @property
     def lines(self) -> Arrangement:
-        """The lines of the segments, in their order."""
+        """The lines of the segments, in their order, with their names."""
         rows = [line_through(p, q) for p, q in self.ends]
-        return Arrangement([row[:2] for row in rows], [row[2] for row in rows], dimension=2)
+        offsets = [row[2] for row in rows]
+        return Arrangement([row[:2] for row in rows], offsets, dimension=2, names=self.names)
+
+    def named(self, names: Names) -> Segments:
+        """Return the same segments with other names."""
+        return Segments(self.ends, names)
 
     def pieces(self) -> Pieces:
         """Count the vertices, edges and cells (faces) of the drawing that the segments make.
@@ -94,5 +104,7 @@ class Segments(HintsMixin):
         field = field_of(x for pair in self.ends for p in pair for x in p)
         if field is not None:
             document["field"] = field.to_dict()
+        if self.names:
+            document["names"] = list(self.names)
         document["segments"] = [[[*map(written, p)] for p in pair] for pair in self.ends]
         return document

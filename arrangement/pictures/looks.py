@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Annotated, Any, NamedTuple, TypeAlias
+from typing import Annotated, Any, NamedTuple, Protocol, TypeAlias
 
 from arrangement.console.options.signature import Syntax
 from arrangement.drawing.colours import hex_colour, readable
@@ -31,6 +31,16 @@ _STROKE = re.compile(r"(?:line|back)-(\d+)|(?:front|limb|arc|edge)-(\d+)-\d+")
 _FILL = re.compile(r"facet-\d+-plane-(\d+)|side-(\d+)")
 
 
+class Named(Protocol):
+    """Planes or segments: how many there are, and their names."""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """A name for each, or none at all."""
+
+    def __len__(self) -> int: ...
+
+
 class Look(NamedTuple):
     """A colour ``#rrggbb``, or "" for the usual one, and a dash, or "" for the usual one."""
 
@@ -47,10 +57,11 @@ def read_names(names: str | Names) -> Names:
     return {_number(k): text for k, text in _pairs(names, "names")}
 
 
-def read_looks(colours: str | Names, planes: Planes) -> dict[int, Look]:
+def read_looks(colours: str | Names, planes: Named, what: str = "plane") -> dict[int, Look]:
     """Return looks by the number of a plane, from 0 on.
 
     Args:
+        planes: or segments, with their names.
         colours: as a text such as ``1=gold,m=#0af:dashed,3=:dotted``, or as a mapping; the keys are
             numbers from 1 on, or names. Or one for each plane, as ``gold,red,blue`` or a list.
 
@@ -63,7 +74,7 @@ def read_looks(colours: str | Names, planes: Planes) -> dict[int, Look]:
         listed = list(colours)
         if len(listed) != len(planes):
             raise InputError(
-                f"{len(listed)} of {len(planes)} planes have a colour; give one for each, or "
+                f"{len(listed)} of {len(planes)} {what}s have a colour; give one for each, or "
                 "by number, as in 1=gold"
             )
         colours = dict(enumerate(listed, 1))
@@ -78,7 +89,7 @@ def read_looks(colours: str | Names, planes: Planes) -> dict[int, Look]:
         elif 1 <= (number := _number(key)) <= len(planes):
             looks[number - 1] = look
         else:
-            raise InputError(f"{shown(key)} has a colour; there are planes 1 to {len(planes)}")
+            raise InputError(f"{shown(key)} has a colour; there are {what}s 1 to {len(planes)}")
     return looks
 
 

@@ -5,12 +5,20 @@ from __future__ import annotations
 import numpy as np
 
 from arrangement.console.number_form import counted
-from arrangement.drawing.colours import side_colour
+from arrangement.drawing.colours import readable, side_colour
 from arrangement.drawing.scene import POINTS, PageMap, Scene
 from arrangement.drawing.views import picture
 from arrangement.enumeration.subdivision import segment_sheet
 from arrangement.errors import InputError
 from arrangement.numbers import budget
+from arrangement.pictures.looks import (
+    DASHES,
+    ColoursOption,
+    Look,
+    NamesOption,
+    read_looks,
+    read_names,
+)
 from arrangement.pictures.names import swatch
 from arrangement.segments import Segments
 
@@ -19,13 +27,22 @@ _MARGIN = 6.0
 
 
 @picture()
-def draw_segments(segments: Segments, *, width: float = 88.0) -> Scene:
+def draw_segments(
+    segments: Segments,
+    *,
+    names: NamesOption | None = None,
+    colours: ColoursOption | None = None,
+    width: float = 88.0,
+) -> Scene:
     """Draw segments of the plane, and the bounded cells between them by number of edges.
 
     Elements: ``edge-3`` for a segment, ``cell-5``, ``vertex-2``.
 
     Args:
         segments: one or more of them.
+        names: of single segments, by number from 1 on, ``"1=ell,2=m"`` or ``{1: "ell"}``, beside
+            their middles; if omitted, those of the segments.
+        colours: of single segments by number or name, with a dash if need be, as for `draw_sphere`.
 
     Raises:
         InputError: there are none, or too many lines.
@@ -34,6 +51,9 @@ def draw_segments(segments: Segments, *, width: float = 88.0) -> Scene:
         raise InputError("there are no segments to draw; give one")
     import shapely
 
+    if names is not None:
+        segments = segments.named(read_names(names))
+    looks = read_looks(colours or {}, segments, "segment")
     sheet = segment_sheet(segments.ends)
     budget.check_size(sheet.circles - 1, "great circles in a picture")
     ends = np.array([[[float(x) for x in p] for p in pair] for pair in segments.ends])
@@ -58,7 +78,14 @@ def draw_segments(segments: Segments, *, width: float = 88.0) -> Scene:
         outline = shapely.get_coordinates(area.exterior)[:-1]
         scene.polygon(outline, fc=fill, ec="none", gid=f"cell-{number}")
     for number, pair in enumerate(ends, 1):
-        scene.line(shift + scale * pair, lw=0.9, ec="black", zorder=3, gid=f"edge-{number}")
+        colour, dash = looks.get(number - 1, Look("", ""))
+        drawn = shift + scale * pair
+        style = {"lw": 0.9, "ec": colour or "black", "ls": DASHES[dash or "solid"]}
+        scene.line(drawn, zorder=3, gid=f"edge-{number}", **style)
+        if segments.names and (text := segments.names[number - 1]):
+            (x, y), middle = drawn[1] - drawn[0], drawn.mean(axis=0)
+            beside = 5.0 * np.array([-y, x]) / np.hypot(x, y)
+            scene.text(middle + beside, text, style="italic", color=readable(colour or "#000000"))
     for number, vertex in enumerate(np.flatnonzero(sheet.is_vertex).tolist(), 1):
         place = shift + scale * sheet.place(vertex)
         scene.circle(place, 1.2, fc="black", ec="none", zorder=4, gid=f"vertex-{number}")

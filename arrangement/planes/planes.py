@@ -140,7 +140,7 @@ class Planes:
         self.__dict__.update(
             dimension=d,
             axes=tuple(axes),
-            names=_checked_names(names, len(planes)),
+            names=checked_names(names, len(planes)),
             _integer_planes=planes,
         )
 
@@ -206,7 +206,7 @@ class Planes:
         ('', 'm')
         """
         made = self.__copy__()
-        made.__dict__["names"] = _checked_names(names, len(self))
+        made.__dict__["names"] = checked_names(names, len(self))
         return made
 
     def __copy__(self) -> Self:
@@ -402,20 +402,20 @@ class Planes:
         return document
 
 
-def _checked_names(names: Names, count: int) -> tuple[str, ...]:
+def checked_names(names: Names, count: int, what: str = "plane") -> tuple[str, ...]:
     """Return a name for each of some planes, "" for none; nothing if no plane has one."""
     texts = (
         dict(names) if isinstance(names, Mapping) else dict(enumerate(listed(names, "names"), 1))
     )
     if not isinstance(names, Mapping) and len(texts) not in (0, count):
-        raise InputError(f"there are {len(texts)} names and {count} planes; give one for each")
+        raise InputError(f"there are {len(texts)} names and {count} {what}s; give one for each")
     for number, text in texts.items():
         if type(number) is not int or not 1 <= number <= count:
-            raise InputError(f"plane {shown(number)} has a name; there are planes 1 to {count}")
+            raise InputError(f"{what} {shown(number)} has a name; there are {what}s 1 to {count}")
         plain = isinstance(text, str) and text.isprintable() and not text.isdecimal()
         if not plain or len(text) > _LONGEST_NAME:
             raise InputError(
-                f"the name of plane {number} is {shown(text)}; give a text in one line of at most "
+                f"the name of {what} {number} is {shown(text)}; give a text in one line of at most "
                 f"{_LONGEST_NAME} characters that is not a number"
             )
     return tuple(texts.get(k + 1, "") for k in range(count)) if any(texts.values()) else ()

@@ -6,6 +6,7 @@ from fractions import Fraction
 from itertools import combinations, pairwise
 
 import networkx as nx
+import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 from sympy import sqrt
@@ -208,3 +209,41 @@ def test_picture_has_every_cell_and_vertex():
     with pytest.raises(InputError, match="no segments"):
         draw_segments.scene(Segments([]))
     assert segments.draw(width=60).scene.items
+
+
+#: Two segments, the second with a name.
+NAMED = {
+    "schema_version": 1,
+    "names": ["", "ell"],
+    "segments": [[["0", "0"], ["2", "2"]], [["0", "2"], ["2", "0"]]],
+}
+
+
+class TestNames:
+    def test_names_of_files_are_kept(self, tmp_path):
+        path = tmp_path / "segments.json"
+        path.write_text(json.dumps(NAMED), encoding="utf-8")
+        segments = read_segments(path)
+        assert segments.names == ("", "ell")
+        assert segments.to_dict() == NAMED
+        assert segments.lines.names == ("", "ell")
+        assert segments.named({1: "m"}).names == ("m", "")
+
+    def test_picture_has_names_and_colours(self, tmp_path):
+        path = tmp_path / "segments.json"
+        path.write_text(json.dumps(NAMED), encoding="utf-8")
+        segments = read_segments(path)
+        scene = draw_segments.scene(segments, colours="ell=#ff0000:dashed")
+        styles = {item.name: item.style for item in scene.items}
+        assert styles["edge-1"]["ec"] == "black"
+        assert styles["edge-2"]["ec"] == "#ff0000"
+        assert styles["edge-2"]["ls"] != "-"
+        texts = [item for item in scene.items if getattr(item, "text", "") == "ell"]
+        (middle,) = [np.mean(x.points, axis=0) for x in scene.items if x.name == "edge-2"]
+        assert np.hypot(*(np.array(texts[0].place) - middle)) == pytest.approx(5)
+        words = ["draw", str(path), "--names", "1=m", "--colours", "m=blue", "-o"]
+        assert main([*words, str(tmp_path / "x.svg")]) == 0
+        with pytest.raises(InputError, match="there are segments 1 to 2"):
+            draw_segments.scene(segments, colours={3: "red"})
+        with pytest.raises(InputError, match="1 names and 2 segments"):
+            Segments(segments.ends, ["a"])

@@ -123,16 +123,17 @@ def _polygon(document: Mapping[str, Any]) -> Arrangement:
 
 
 def _segments(document: Mapping[str, Any]) -> Segments:
-    check_keys(document, ("schema_version", "segments"), KEYS[5:], "the segments")
+    check_keys(document, ("schema_version", "segments"), KEYS[4:], "the segments")
     numbers = _reader(document)
     pairs = check_list(document["segments"], "segments")
-    return Segments(
+    ends = [
         [
             numbers(p, f"segments[{i}][{k}]")
             for k, p in enumerate(check_list(pair, f"segments[{i}]"))
         ]
         for i, pair in enumerate(pairs)
-    )
+    ]
+    return Segments(ends, check_list(document.get("names", []), "names"))
 
 
 def _reader(document: Mapping[str, Any]) -> Callable[[Any, str], list[Any]]:
