@@ -107,7 +107,7 @@ class Parser(argparse.ArgumentParser):
                     given = [value, *words[i + 1 :]] if equals else words[i + 1 :]
                     option.nargs = max(option.nargs, _numbers(given))  # type: ignore[type-var]
                 due = _numbers_after(option)
-            if option is not None and due and equals:
+            if option is not None and due and equals and not re.match(r"-[^.0-9]", value):
                 yield name
                 word = value
             elif option is not None or not due:

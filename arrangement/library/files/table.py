@@ -72,7 +72,7 @@ def read_polygon(source: str) -> Arrangement:
         return read_arrangement(source)
     plain = re.sub(r"[\])]\s*,\s*[\[(]", ";", source).strip("()[]; ")
     points = re.split(r"[;\s]+", re.sub(r"\s*,\s*", ",", plain))
-    table = documents.tabulated("\n".join(["x,y", *points]), shown(source))
+    table = documents.document_of_table("\n".join(["x,y", *points]), shown(source))
     return documents.arrangement_of(table, shown(source))
 
 
