@@ -24,7 +24,7 @@ from equilibrium.grasps.inputs.parameter import read_parametric
 from equilibrium.grasps.schemas import parameter_certificate_schema
 from equilibrium.model.solution import Solution
 from equilibrium.pictures.parameter import draw_values
-from equilibrium.wrench_sets.parameter import Piece
+from equilibrium.wrench_sets.parameter import Piece, _Search
 from equilibrium.wrench_sets.sufficient_friction import sufficient_friction
 from tests.schemas import validator
 
@@ -543,6 +543,28 @@ def test_least_friction_is_in_the_bracket_of_all_states():
             assert other.low <= answer.high
             bounded += 1
     assert bounded > 4
+
+
+def test_few_questions_leave_an_answer_incomplete(monkeypatch):
+    monkeypatch.setattr("equilibrium.wrench_sets.parameter._MOST_QUESTIONS", 1)
+    answer = resisted_values(LADDER, 0, 1)
+    assert not answer.complete
+    assert [str(span) for span in (*answer.resisted, *answer.not_resisted)] != []
+    assert max(gap.high - gap.low for gap in answer.gaps) > answer.tolerance
+
+
+@pytest.mark.parametrize("has_middle", [(True, False), (False, True), (False, False)])
+def test_pieces_are_one_only_with_the_value_between_them(has_middle):
+    answer = resisted_values(LADDER, 0, 1)
+    whole = next(piece for piece in answer.pieces if piece.verdict == "resisted")
+    low, middle, high = F(3, 4), F(4, 5), F(9, 10)
+    parts = (
+        whole._replace(span=Span(low, middle, True, has_middle[0])),
+        whole._replace(span=Span(middle, high, has_middle[1], True)),
+    )
+    search = _Search(answer.family, answer.between, answer.tolerance)
+    joined = whole._replace(span=Span(low, high)) if any(has_middle) else None
+    assert search._union(*parts) == joined
 
 
 def test_least_friction_above_1_is_that_of_the_largest_inverse():

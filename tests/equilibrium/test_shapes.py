@@ -701,6 +701,14 @@ class TestLetter:
         assert 0 < high - low < Fraction(1, 10**11)
         assert low**2 < 2 < high**2
 
+    def test_contact_that_goes_on_to_another_shape_is_refused(self):
+        """It has as many contacts on both sides of an irrational value."""
+        ground = [walls((0, 0), (2, 0), name="left"), walls((2, 0), (9, 0), name="right")]
+        known = document([disc("a", "t^2", 1, 1)], ground)
+        assert len(shapes_with_letter(known, "t=1..7/5")[0]["contacts"]) == 1
+        with pytest.raises(InputError, match="contacts are others than for t"):
+            shapes_with_letter(known, "t=1..9/5")
+
     def test_polygon_whose_centroid_moves(self):
         corners = [[0, 0], ["3+t", 0], [0, 3]]
         body = {"name": "a", "polygon": corners, "weight": "t"}
