@@ -54,8 +54,8 @@ SLIP_SHARE = 0.9999
 
 def lengths(rows: Floats) -> Floats:
     """Return the lengths of vectors along the tangents, one or two."""
-    found: Floats = np.hypot.reduce(np.abs(rows), axis=-1)
-    return found
+    sizes: Floats = np.hypot.reduce(np.abs(rows), axis=-1)
+    return sizes
 
 
 class OpenSplit(NamedTuple):
@@ -77,9 +77,9 @@ class RoundCones:
 
     def conditions(self, mu: float, state: State) -> list[Condition]:
         """Return what slip and force obey: minus the rows are in the cones."""
-        found: list[Condition] = []
+        conditions: list[Condition] = []
         if state == "stick":
-            found.append(("zero", np.eye(2), np.zeros((2, 3))))
+            conditions.append(("zero", np.eye(2), np.zeros((2, 3))))
         elif isinstance(state, tuple):
             u, v = _units(state)
             middle = (u + v) / np.hypot(*(u + v))
@@ -87,10 +87,10 @@ class RoundCones:
             slips = [(u[1], -u[0]), (-v[1], v[0]), (0.0, 0.0)]
             hull = np.zeros((3, 3))
             hull[2] = mu * (u @ middle), *middle
-            found.append(("plus", np.array(slips), hull))
+            conditions.append(("plus", np.array(slips), hull))
         if not mu:
-            return [*found, ("plus", np.zeros((1, 2)), -np.eye(3)[:1])]
-        return [*found, ("round", np.zeros((3, 2)), np.diag([-mu, -1.0, -1.0]))]
+            return [*conditions, ("plus", np.zeros((1, 2)), -np.eye(3)[:1])]
+        return [*conditions, ("round", np.zeros((3, 2)), np.diag([-mu, -1.0, -1.0]))]
 
     def support(self, b: Floats) -> Floats:
         """Return the largest products of b (m, 2) with a unit vector."""
@@ -189,25 +189,27 @@ class Pyramids:
         """Return what slip and force obey: minus the rows are in the cones."""
         sides = np.array(self.normals, dtype=float)
         reach, t = (sides * self._corners).sum(axis=1), sides.shape[1]
-        found: list[Condition] = []
+        conditions: list[Condition] = []
         if state == "stick":
-            found.append(("zero", np.eye(t), np.zeros((t, 1 + t))))
+            conditions.append(("zero", np.eye(t), np.zeros((t, 1 + t))))
         elif isinstance(state, Slip):
             ends = np.array(state.ends, dtype=float)
             corner = np.array(state.edges[0], dtype=float)
             if len(ends) == 1:
                 if t == 2:
                     across = [(-ends[0][1], ends[0][0])]
-                    found.append(("zero", np.array(across), np.zeros((1, 3))))
-                found.append(("plus", -ends, np.zeros((1, 1 + t))))
+                    conditions.append(("zero", np.array(across), np.zeros((1, 3))))
+                conditions.append(("plus", -ends, np.zeros((1, 1 + t))))
                 opposite = [(mu * (ends[0] @ corner), *ends[0])]
             else:
                 (a, b), (c, d) = ends
-                found.append(("plus", np.array([(b, -a), (-d, c)]), np.zeros((2, 3))))
+                conditions.append(("plus", np.array([(b, -a), (-d, c)]), np.zeros((2, 3))))
                 opposite = [(mu * corner[0], 1, 0), (mu * corner[1], 0, 1)]
-            found.append(("zero", np.zeros((len(opposite), t)), np.array(opposite, dtype=float)))
+            conditions.append(
+                ("zero", np.zeros((len(opposite), t)), np.array(opposite, dtype=float))
+            )
         inside = np.column_stack([-mu * reach, sides]) if mu else -np.eye(1 + t)[:1]
-        return [*found, ("plus", np.zeros((len(inside), t)), inside)]
+        return [*conditions, ("plus", np.zeros((len(inside), t)), inside)]
 
     def support(self, b: Floats) -> Floats:
         """Return the largest products of b (m, t) with an edge."""
@@ -229,9 +231,9 @@ class Pyramids:
     def weights(self, slip: Floats, eps: float) -> Floats:
         """Return how much of each edge is in minus the smooth friction, (m, edges)."""
         work = slip @ self._corners.T / eps
-        found: Floats = np.exp(work - work.max(axis=1, keepdims=True))
-        found /= found.sum(axis=1, keepdims=True)
-        return found
+        weights: Floats = np.exp(work - work.max(axis=1, keepdims=True))
+        weights /= weights.sum(axis=1, keepdims=True)
+        return weights
 
     def directions(self, slip: Floats, eps: float) -> Floats:
         """Return the slips (m, 2) that the smooth friction shows: to a corner, a side, or none."""
@@ -239,9 +241,9 @@ class Pyramids:
         pairs = weights + np.roll(weights, -1, axis=1)
         corner, side = weights.argmax(axis=1), pairs.argmax(axis=1)
         normals = np.array(self.normals, dtype=float)
-        found = np.where((pairs.max(axis=1) > SLIP_SHARE)[:, None], normals[side], 0.0)
+        along_sides = np.where((pairs.max(axis=1) > SLIP_SHARE)[:, None], normals[side], 0.0)
         slips: Floats = np.where(
-            (weights.max(axis=1) > SLIP_SHARE)[:, None], self._corners[corner], found
+            (weights.max(axis=1) > SLIP_SHARE)[:, None], self._corners[corner], along_sides
         )
         return slips
 

@@ -87,8 +87,8 @@ class FloatContacts:
 
     def arms(self, arm: float, step: float = 1.0) -> Floats:
         """Return a number for each coordinate of a motion, another one for turns."""
-        found: Floats = np.where(self.turns, arm, step)
-        return found
+        arms: Floats = np.where(self.turns, arm, step)
+        return arms
 
 
 #: Python integers in an array.
@@ -162,13 +162,13 @@ class IntegerContacts:
             for wrench in (c.normal_wrench, c.tangential_wrench)
             for sign in (1, -1)
         ]
-        found = [primitive(row) for row in rows]
+        primitives = [primitive(row) for row in rows]
         # No wrench is zero, so each row has an entry to compare.
         scales = [
             next(Fraction(x) / y for x, y in zip(short, row, strict=True) if y)
-            for short, row in zip(found, rows, strict=True)
+            for short, row in zip(primitives, rows, strict=True)
         ]
-        return whole(found, (len(rows), 4)), scales
+        return whole(primitives, (len(rows), 4)), scales
 
     def bound_leaf(self, motion: Sequence[int], used: Mapping[int, Fraction | int]) -> Leaf:
         """Return the leaf of a virtual motion with some rows of `bounds` times numbers above 0."""

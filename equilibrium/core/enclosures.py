@@ -60,11 +60,11 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Solution]:
         floats = number is nearest
         try:
             with localcontext(_DECIMALS):
-                found = _System(balance, idle, number).newton(start)
+                reached = _System(balance, idle, number).newton(start)
         except (ArithmeticError, np.linalg.LinAlgError):
             # A derivative has no inverse, or decimals grow too long.
             continue
-        point, value, inverse, *numbers = found
+        point, value, inverse, *numbers = reached
         if not (np.abs(value).max() <= _MAX_RESIDUAL * load and np.abs(inverse).max() < 1e200):
             continue
         sizes = np.abs(point).astype(float)

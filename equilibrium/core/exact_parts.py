@@ -145,8 +145,8 @@ class PyramidParts(ExactParts):
 
     def holds(self, states: Sequence[TreeState]) -> Solution | None:
         """Return an equilibrium with all states decided, if there is one."""
-        found = self.part(states, np.zeros((0, 0)))
-        return found if isinstance(found, Solution) else None
+        outcome = self.part(states, np.zeros((0, 0)))
+        return outcome if isinstance(outcome, Solution) else None
 
     def near(self, normal: Floats, slips: Floats) -> Node:
         """Return the states of normal forces and slips in floats, 0 where there is none."""
@@ -204,8 +204,8 @@ def _sides(ends: Sequence[Sequence[Any]]) -> tuple[Side, ...]:
 
 def _near(x: float, y: float) -> list[RationalVector]:
     """Return the simple unit vector near a direction, if there is one."""
-    found = rational_direction(x, y, _NEAR_DENOMINATOR, 1.0) if x or y else None
-    return [] if found is None else [found]
+    direction = rational_direction(x, y, _NEAR_DENOMINATOR, 1.0) if x or y else None
+    return [] if direction is None else [direction]
 
 
 def _scaled(vector: Sequence[Fraction]) -> list[Fraction]:

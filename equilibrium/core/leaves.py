@@ -171,9 +171,9 @@ class Leaves:
             pins: dict[int, list[Any]] = {}
             for (i, j), number in zip(places, numbers, strict=True):
                 (multipliers if j < size else pins).setdefault(i, [0] * size)[j % size] = number
-            found = Leaf(tuple(motion), multipliers, pins)
-            if self.holds(states, found):
-                return found
+            leaf = Leaf(tuple(motion), multipliers, pins)
+            if self.holds(states, leaf):
+                return leaf
         return None
 
     def _pinned(
@@ -300,12 +300,12 @@ def cancelled(columns: Sequence[IntegerVector], values: list[int], n: int) -> tu
         if end in pivots:
             continue
         size, sign = abs(int(scale)), 1 if scale > 0 else -1
-        found = [size * value for value in values]
+        changed = [size * value for value in values]
         free = [j for j in range(end) if j not in pivots]
         for k, pivot in enumerate(pivots):
             moved = reduced[k, end] + sum(reduced[k, j] * values[j] for j in free)
-            found[pivot] = -sign * int(moved)
-        return found, size
+            changed[pivot] = -sign * int(moved)
+        return changed, size
     raise AssertionError("nothing is left over where all columns are in use")
 
 
@@ -313,15 +313,15 @@ def _rounded(
     rows: list[IntegerVector], motion: list[float], steps: list[int]
 ) -> Sequence[Fraction | int]:
     """Return a motion of multiples of steps near a given one, on which all rows are exactly 0."""
-    found: list[Fraction | int] = [
+    rounded: list[Fraction | int] = [
         step * round(x / step) for x, step in zip(motion, steps, strict=True)
     ]
     if not rows:
-        return found
+        return rounded
     # Pivots go to the entries that come first: the largest stay as they are.
     order = sorted(range(len(motion)), key=lambda j: abs(motion[j]))
     reduced, pivots, scale = gauss_jordan([[row[j] for j in order] for row in rows])
     for row, pivot in zip(reduced, pivots, strict=False):
-        others = sum(row[k] * found[order[k]] for k in range(len(motion)) if k not in pivots)
-        found[order[pivot]] = Fraction(-others) / scale
-    return found
+        others = sum(row[k] * rounded[order[k]] for k in range(len(motion)) if k not in pivots)
+        rounded[order[pivot]] = Fraction(-others) / scale
+    return rounded

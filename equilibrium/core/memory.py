@@ -125,13 +125,13 @@ class _Known:
 
     def _fits(self, k: int, i: int, state: Any, known: dict[int, bool]) -> bool:
         """Return whether a leaf holds, about, where a contact slips."""
-        found = known.get(k)
-        if found is None:
+        fits = known.get(k)
+        if fits is None:
             inside, size, b, h = self._slips[k][i]
-            found = inside - self._friction[i] * self._cones.largest(state, b) >= -size
-            found = found and all(dot(h, end) <= 0 for end in self._cones.ends(state))
-            known[k] = found
-        return found
+            fits = inside - self._friction[i] * self._cones.largest(state, b) >= -size
+            fits = fits and all(dot(h, end) <= 0 for end in self._cones.ends(state))
+            known[k] = fits
+        return fits
 
 
 class Memory:
@@ -182,8 +182,8 @@ class Memory:
 
     def split(self, states: Node) -> OpenSplit | None:
         """Return a new split of a node as there was; trees that split alike share leaves."""
-        found = self._splits.get(states)
-        return found and found.again()
+        split = self._splits.get(states)
+        return split and split.again()
 
     def promises(self, states: Node, leaves: Leaves) -> bool:
         """Return whether most leaves that are remembered below a node refute the load."""
@@ -192,16 +192,16 @@ class Memory:
 
     def _ends(self, states: Node, leaves: Leaves) -> tuple[int, int]:
         """Return how many ends of what is remembered below a node refute the load, or do not."""
-        found = leaves.ends.get(states)
-        if found is None:
+        ends = leaves.ends.get(states)
+        if ends is None:
             leaf, split = self._leaves.get(states), self._splits.get(states)
-            found = 0, 1
+            ends = 0, 1
             if leaf is not None and leaves.refutes(leaf):
-                found = 1, 0
+                ends = 1, 0
             elif split is not None:
                 closed, still = zip(
                     *(self._ends(part, leaves) for part in split.parts), strict=True
                 )
-                found = sum(closed), sum(still)
-            leaves.ends[states] = found
-        return found
+                ends = sum(closed), sum(still)
+            leaves.ends[states] = ends
+        return ends

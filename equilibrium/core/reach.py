@@ -48,12 +48,12 @@ def reach(search: SpatialSearch, change: Floats, nodes: int, near: float) -> Rea
         nonlocal count
         count += 1
         search.count_program()
-        found = relaxation.first(states, change)
+        first = relaxation.first(states, change)
         place = states, parent, position
-        if found is None:
+        if first is None:
             closed.append(place)
         else:
-            heappush(nearest, (found[0], count, found[1], place))
+            heappush(nearest, (first[0], count, first[1], place))
 
     stuck = False
     ask(*tree.waiting.pop())

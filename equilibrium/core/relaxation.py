@@ -140,10 +140,10 @@ class Columns(NamedTuple):
 
     def table(self) -> Floats:
         """Return the matrix with its zeros."""
-        found = np.zeros(self.shape)
+        table = np.zeros(self.shape)
         column = np.repeat(np.arange(self.shape[1]), np.diff(self.indptr))
-        found[self.indices, column] = self.data
-        return found
+        table[self.indices, column] = self.data
+        return table
 
 
 class _ConeLayout:
@@ -319,13 +319,13 @@ class Relaxation:
             layout.solver = clarabel.DefaultSolver(*question)
         else:
             layout.solver.update(A=matrix.data, b=right)
-        found = layout.solver.solve()
-        status = str(found.status)
+        solved = layout.solver.solve()
+        status = str(solved.status)
         if status in ("PrimalInfeasible", "AlmostPrimalInfeasible"):
-            return self._ray(states, program, np.array(found.z))
+            return self._ray(states, program, np.array(solved.z))
         if status not in ("Solved", "AlmostSolved"):
             return None
-        return self._point(program, np.array(found.x))
+        return self._point(program, np.array(solved.x))
 
     def first(self, states: Sequence[State], change: Floats) -> tuple[float, Point] | None:
         """Return the least share of a change of the load, up to 1, with a point, if any has one."""
@@ -341,10 +341,10 @@ class Relaxation:
             [*node.layout.kinds, clarabel.NonnegativeConeT(2)],
         )
         program = _squares(n + 1, self.n, 0.0), np.append(np.zeros(n), 1.0), whole, ends, kinds
-        found = clarabel.DefaultSolver(*program, self.settings).solve()
-        if str(found.status) not in ("Solved", "AlmostSolved"):
+        solved = clarabel.DefaultSolver(*program, self.settings).solve()
+        if str(solved.status) not in ("Solved", "AlmostSolved"):
             return None
-        return float(found.x[-1]), self._point(node, np.array(found.x))
+        return float(solved.x[-1]), self._point(node, np.array(solved.x))
 
     def _point(self, program: _ConeProgram, found: Floats) -> Point:
         """Return the motion, and all forces of each contact, of the unknowns."""
@@ -414,8 +414,8 @@ class Relaxation:
             k += kind.dim
         table, ends = np.delete(table, free, axis=0), np.delete(ends, free)
         question = (_squares(rows + 1, n, 0.0), -last, Columns.of(table), ends, kept)
-        found = np.array(clarabel.DefaultSolver(*question, self.settings).solve().x)
-        return self._ray(states, program, found[:-1]) if found[-1] > -_ROOM_ERROR else None
+        rays = np.array(clarabel.DefaultSolver(*question, self.settings).solve().x)
+        return self._ray(states, program, rays[:-1]) if rays[-1] > -_ROOM_ERROR else None
 
     def springs(self, motion: Floats) -> Floats:
         """Return the forces of springs at a motion, below 0 where contacts are detached."""

@@ -153,8 +153,8 @@ class StateBalance:
         if not self.basis:
             return np.zeros(0)
         basis = np.array([[nearest(x) for x in motion] for motion in self.basis])
-        found = np.linalg.lstsq(basis.T, motion, rcond=None)[0]
-        nearest_one: Floats = found.astype(np.float64)
+        coefficients = np.linalg.lstsq(basis.T, motion, rcond=None)[0]
+        nearest_one: Floats = coefficients.astype(np.float64)
         return nearest_one
 
 

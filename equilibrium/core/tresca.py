@@ -70,10 +70,10 @@ def tresca_point(relaxation: Relaxation) -> Point | None:
             solver = clarabel.DefaultSolver(*question)
         else:
             solver.update(q=cost)
-        found = solver.solve()
-        if str(found.status) not in ("Solved", "AlmostSolved"):
+        solved = solver.solve()
+        if str(solved.status) not in ("Solved", "AlmostSolved"):
             return None
-        unknowns, multipliers = np.array(found.x), np.array(found.z)
+        unknowns, multipliers = np.array(solved.x), np.array(solved.z)
         if np.abs(unknowns[:n]).max() * _MOTION_WEIGHT > _UNBALANCED:
             return None
         normal = np.maximum(0.0, unknowns[n : n + m])

@@ -198,10 +198,10 @@ def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
     equal, least, limits = [], [], []
 
     def row(*entries: tuple[slice | int, Any]) -> Floats:
-        found = np.zeros(width)
+        line = np.zeros(width)
         for place, value in entries:
-            found[place] += value
-        return found
+            line[place] += value
+        return line
 
     for a, i in enumerate(holding):
         normal, pressed, mu = rows.normal[i], rows.stiffness[i] * rows.normal[i], rows.friction[i]
@@ -227,7 +227,7 @@ def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
             slip = rows.friction[i] * rows.stiffness[i] * (way @ rows.tangents[i])
             least.append(row((motion, pressed + slip), (adds.start + a, -1)))
             limits.append(-rows.preload[i])
-    found = linprog(
+    optimum = linprog(
         row((room, -1)),
         np.array(least) if least else None,
         limits or None,
@@ -235,13 +235,13 @@ def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
         [*right, *[0.0] * len(equal)],
         bounds=[(None, None)] * sizes.start + [(0, None)] * (spent.stop - spent.start) + [(0, 10)],
     )
-    if found.x is None:
+    if optimum.x is None:
         return None
     forces = np.zeros((rows.m, d))
-    place = found.x[motion]
-    forces[holding, 0] = rows.preload[holding] - found.x[away]
+    place = optimum.x[motion]
+    forces[holding, 0] = rows.preload[holding] - optimum.x[away]
     forces[holding, 0] -= rows.stiffness[holding] * (rows.normal[holding] @ place)
-    forces[holding, 1:] = found.x[friction].reshape(h, d - 1)
+    forces[holding, 1:] = optimum.x[friction].reshape(h, d - 1)
     return _Choice(place, forces)
 
 
@@ -300,10 +300,10 @@ def _pulled(subject: Subject, load: RationalVector, bounds: Bounds) -> dict[str,
     room = np.linalg.norm(works, axis=1)
     limits = [(-1, 1)] * n + [(0, None)]
     cost = np.append(np.zeros(n), -1.0)
-    found = linprog(cost, np.column_stack([-works, room]), np.zeros(len(works)), bounds=limits)
-    if found.x is None:
+    optimum = linprog(cost, np.column_stack([-works, room]), np.zeros(len(works)), bounds=limits)
+    if optimum.x is None:
         return None
-    virtual = _dyadic(found.x[:n] * rows.units)
+    virtual = _dyadic(optimum.x[:n] * rows.units)
     return (
         None
         if virtual_motion_problem(subject, load, bounds, virtual)

@@ -46,13 +46,13 @@ def decide_in_plane(
         return None
     units = SearchUnits.of(flat, load)
     scaled = IntegerContacts(units.grasp(flat), units.displacement(max_displacement))
-    found = resistance(scaled, units.wrench(load), effort)
-    if not isinstance(found, Solution):
+    outcome = resistance(scaled, units.wrench(load), effort)
+    if not isinstance(outcome, Solution):
         return {
             "plane": [list(map(to_text, axis)) for axis in axes],
-            "tree": units.tree_back(found),
+            "tree": units.tree_back(outcome),
         }
-    return _lifted(grasp, flat, axes, units.solution_back(found))
+    return _lifted(grasp, flat, axes, units.solution_back(outcome))
 
 
 def _axes(grasp: Grasp, wrench: RationalVector) -> tuple[RationalVector, RationalVector]:

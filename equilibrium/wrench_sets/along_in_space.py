@@ -194,8 +194,8 @@ def spatial_magnitudes(
     known = KnownMagnitudes(loads, along, start)
     unit = max((max(c.preload, c.adhesion) for c in grasp), default=Fraction(0)) or Fraction(1)
     tried = [Fraction(0), *(unit * Fraction(2) ** k for k in _POWERS[::every])]
-    found = {k: known.verdict(tried[k]) for k in _ends_first(len(tried))}
-    samples = [(t, found[k]) for k, t in enumerate(tried)]
+    verdicts = {k: known.verdict(tried[k]) for k in _ends_first(len(tried))}
+    samples = [(t, verdicts[k]) for k, t in enumerate(tried)]
     decided = [(t, answer) for t, answer in samples if answer != UNDECIDED]
     borders = []
     for (low, answer), (high, next_answer) in pairwise(decided):
@@ -203,7 +203,7 @@ def spatial_magnitudes(
             border = Border(low, high) if answer == RESISTED else Border(high, low)
             border = _bracket(known, _closer(known, border, share), share)
             borders.append(replace(border, exact=known.refutes_between(*border.ends)))
-    alone = found[0] == RESISTED and known.refutes_between(Fraction(0), None)
+    alone = verdicts[0] == RESISTED and known.refutes_between(Fraction(0), None)
     results = tuple(samples), tuple(borders), loads.max_displacement, alone
     return SpatialMagnitudes(grasp, along, start, *results)
 
@@ -227,13 +227,13 @@ def _read_off(grasp: Grasp, verdict: Verdict) -> Giving | None:
 
 def _ends_first(count: int) -> list[int]:
     """Return all indices: both ends, then the middles of what they leave."""
-    found, parts = [0, count - 1], [(0, count - 1)]
+    order, parts = [0, count - 1], [(0, count - 1)]
     for low, high in parts:
         middle = (low + high) // 2
         if low < middle:
-            found.append(middle)
+            order.append(middle)
             parts += [(low, middle), (middle, high)]
-    return found
+    return order
 
 
 def _closer(known: KnownMagnitudes, border: Border, width: Fraction) -> Border:

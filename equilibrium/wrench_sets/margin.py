@@ -203,8 +203,10 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
     bare, still = given.with_preload(0), (Fraction(0),) * 3
     changes: Any = {"preload_slope": Fraction(1), "max_displacement": bound}
     ((_, question),) = part_questions(bare, w, still, **changes)
-    found = (ContactProgram(question, states).magnitudes() for states in map(states_of_code, tried))
-    parts += [part for part in found if part is not None]
+    intervals = (
+        ContactProgram(question, states).magnitudes() for states in map(states_of_code, tried)
+    )
+    parts += [part for part in intervals if part is not None]
     return Preloads((w,), numbers, union(parts))
 
 

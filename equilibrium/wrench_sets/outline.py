@@ -97,8 +97,8 @@ def _border(solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     }
     rows = [row for row in alone if alone[row]]
     carriers = [alone[row] for row in rows]
-    found = zip(rows, carriers, polygons_near(rows, carriers, solid), strict=True)
-    for row, carrying, near in watched(found, "lines", len(rows)):
+    triples = zip(rows, carriers, polygons_near(rows, carriers, solid), strict=True)
+    for row, carrying, near in watched(triples, "lines", len(rows)):
         line = _Line(row)
         covered = [line.part(p) for p in near if row not in p.inequalities]
         yield from line.segments([line.part(p) for p in carrying], covered)
@@ -136,8 +136,8 @@ def polygons_near(
 def tight(row: IntegerVector, polygon: Polyhedron) -> list[IntegerVector]:
     """Return the homogeneous generators of the part of a polygon in a line at its boundary."""
     rays, lines = polygon.homogeneous
-    found = [x for x in rays if dot(row, x) == 0]
-    return [*found, *(x for y in lines if dot(row, y) == 0 for x in (y, negated(y)))]
+    within = [x for x in rays if dot(row, x) == 0]
+    return [*within, *(x for y in lines if dot(row, y) == 0 for x in (y, negated(y)))]
 
 
 class _Line:

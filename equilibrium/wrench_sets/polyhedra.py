@@ -210,7 +210,7 @@ class StateImages:
         has = (forces[:, :-1] > 0, forces[:, :-1] < 0, moves < 0, moves > 0)
         excluded_bits, has_bits = pack(np.hstack(excluded)), pack(np.hstack(has))
         error = error_bound(2 + 1 + len(bounds) + 1)
-        found = np.zeros(len(listed), np.bool_)
+        inside = np.zeros(len(listed), np.bool_)
         for start in watched(range(0, len(listed), _MANY), "parts of the contact states"):
             part = excluded_bits[start : start + _MANY, None]
             at, motion = np.nonzero(~(part & has_bits).any(axis=2))
@@ -219,8 +219,8 @@ class StateImages:
             last = constants[:, None] * forces[motion, -1]
             sizes = np.abs(terms).sum(axis=2) + np.abs(last)
             low, high = terms.sum(axis=2) + last <= error * sizes + SMALLEST
-            found[np.intersect1d(at[low], at[high])] = True
-        return found
+            inside[np.intersect1d(at[low], at[high])] = True
+        return inside
 
     def _images(self, states: Sequence[str], motion: IntegerVector) -> Iterator[IntegerVector]:
         """Yield the homogeneous wrenches that balance the extreme forces at a motion."""
@@ -272,8 +272,8 @@ def resisted_pieces(solver: Solver) -> tuple[Piece, ...]:
     for each choice of contact states: O(m^2) of them without preload, O(m^3) with.
     """
     solver.grasp.require_plane()
-    found = (Piece(states, shape) for states, shape in images_of(solver) if shape is not None)
-    return maximal_pieces(list(found))
+    pieces = (Piece(states, shape) for states, shape in images_of(solver) if shape is not None)
+    return maximal_pieces(list(pieces))
 
 
 def images_of(
@@ -289,11 +289,11 @@ def images_of(
     )
     if plane is not None:
         listed = tuple(compress(listed, images.may_reach(listed, plane)))
-    found = {
+    shapes = {
         states: images.resisted_with(states, plane)
         for states in watched(sorted(listed), "contact states")
     }
-    yield from ((states, found.get(states)) for states in solver.choices.states)
+    yield from ((states, shapes.get(states)) for states in solver.choices.states)
 
 
 def states_with(pieces: Sequence[Piece], point: RationalVector) -> tuple[States, ...]:

@@ -131,14 +131,14 @@ def compare(
     direction: RationalVector, exact: tuple[Interval, ...], tolerance: Fraction, limit: Fraction
 ) -> Entry:
     """Run the binary search with exact verdicts, and set its answer beside the exact set."""
-    found = binary_search(exact, tolerance, limit)
-    answer = limit if found is None else found
+    largest = binary_search(exact, tolerance, limit)
+    answer = limit if largest is None else largest
     claimed = (Fraction(0), answer)
     wrong = remainder(claimed, exact)
     beyond = (min(answer + tolerance, limit), limit)
-    missed = [] if found is None else [intersection(part, beyond) for part in exact]
+    missed = [] if largest is None else [intersection(part, beyond) for part in exact]
     kept = (part for part in missed if part is not None and part[1] != beyond[0])
-    return Entry(direction, found, exact, wrong, union(kept))
+    return Entry(direction, largest, exact, wrong, union(kept))
 
 
 def binary_search(

@@ -216,8 +216,8 @@ def region_of(
     start = read_wrench(origin)
     if len(frame) != 2 or not any(normal := cross(*frame)):
         raise GraspError("a plane needs two spanning wrenches that are not parallel")
-    found = shapes(primitive((*normal, -dot(normal, start))))
-    cuts = ((states, shape.cut(start, frame)) for states, shape in found if shape is not None)
+    images = shapes(primitive((*normal, -dot(normal, start))))
+    cuts = ((states, shape.cut(start, frame)) for states, shape in images if shape is not None)
     polygons = [Piece(states, shape) for states, shape in cuts if shape is not None]
     return Region(start, (frame[0], frame[1]), maximal_pieces(polygons))
 

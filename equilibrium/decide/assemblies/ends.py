@@ -210,8 +210,8 @@ def limits_of(subject: Subject, load: Any) -> Giving | None:
             return None
         if not common:
             return None
-        found = _given(common, part.groups)
-        numbers = ([part.numbers[k - 1] for k in x] for x in (found.slips, found.lifts_off))
+        giving = _given(common, part.groups)
+        numbers = ([part.numbers[k - 1] for k in x] for x in (giving.slips, giving.lifts_off))
         given.append(Giving(tuple(next(numbers)), unloaded=tuple(next(numbers))))
     slips, unloaded = (
         tuple(sorted(k for one in given for k in getattr(one, name)))

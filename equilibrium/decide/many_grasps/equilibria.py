@@ -117,8 +117,8 @@ def _solved(matrix: Floats, right: Floats) -> Floats:
         solution = np.linalg.solve(matrix, right[..., None])[..., 0]
     except np.linalg.LinAlgError:  # one singular matrix ends the solution of all
         solution = along(np.linalg.pinv(np.nan_to_num(matrix)), right)
-    found: Floats = np.nan_to_num(solution, nan=0.0, posinf=0.0, neginf=0.0)
-    return found
+    finite: Floats = np.nan_to_num(solution, nan=0.0, posinf=0.0, neginf=0.0)
+    return finite
 
 
 def _exists_near(q: Questions, motion: Floats, force: Floats, ratio: Floats) -> Booleans:

@@ -211,14 +211,14 @@ class _Cones:
             motion: (n, 3), the first to try.
         """
         n = len(motion)
-        found, last, rows, cones = np.zeros(n, dtype=bool), motion.copy(), np.arange(n), self
+        outside, last, rows, cones = np.zeros(n, dtype=bool), motion.copy(), np.arange(n), self
         corners = np.full((n, 3, 3), np.nan)
         for _ in range(_MAX_STEPS):
             motion = motion / np.abs(motion).max(axis=1, keepdims=True)
             motion[~(np.abs(motion) > 2.0**-60)] = 0.0
             last[rows] = motion
             works, least = cones.works(motion)
-            found[rows[works]] = True
+            outside[rows[works]] = True
             motion, kept = _nearest_point(corners, least)
             reached = np.einsum("nki,ni->nk", kept, motion)
             going = ~works & ~(reached <= 1e-14).any(axis=1) & np.isfinite(motion).all(axis=1)
@@ -226,7 +226,7 @@ class _Cones:
             if not len(rows):
                 break
             cones = cones.take(going)
-        return found, last
+        return outside, last
 
     def works(self, motion: Floats) -> tuple[Booleans, Floats]:
         """Return which virtual motions close, and a sum of wrenches with the least work."""

@@ -355,10 +355,10 @@ def resistance(
     leaf = regions.half_space()
     if leaf is not None:
         return leaf
-    found = find_equilibrium(contacts, wrench) or regions.search()
-    if isinstance(found, Solution) or not shorten:
-        return found
-    return min((found, *_others(contacts, wrench, effort)), key=_length)
+    outcome = find_equilibrium(contacts, wrench) or regions.search()
+    if isinstance(outcome, Solution) or not shorten:
+        return outcome
+    return min((outcome, *_others(contacts, wrench, effort)), key=_length)
 
 
 def _length(tree: Node) -> int:

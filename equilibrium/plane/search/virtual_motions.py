@@ -107,9 +107,9 @@ class VirtualMotions:
             if not len(open_):
                 break
             near = 2 * motions[open_, None, :] + _NEIGHBOURS
-            found = self.values(regions.take(open_), near)
-            best = np.argmax(found, axis=1)
-            best_value = found[np.arange(len(best)), best]
+            sums = self.values(regions.take(open_), near)
+            best = np.argmax(sums, axis=1)
+            best_value = sums[np.arange(len(best)), best]
             better = best_value > value[open_]
             motions[open_] = np.where(
                 better[:, None], near[np.arange(len(best)), best], 2 * motions[open_]
@@ -211,14 +211,14 @@ def closed(
     work = terms.astype(object).dot(contacts.shares) * load[3]
     work = work + (chosen.dot(whole([load[:3]], (3,))) * unit)[:, None] * generators[:, :, 0]
     passed = np.where(generators[:, :, 0] > 0, work > 0, work >= 0).all(axis=1)
-    found: list[Fraction | None] = [Fraction(0) if good else None for good in passed]
+    multipliers: list[Fraction | None] = [Fraction(0) if good else None for good in passed]
     for n, k in enumerate(rows):
-        if found[n] is None:
+        if multipliers[n] is None:
             beyond = generators[n].dot(contacts.bounds[0][k]).tolist()
             unit = contacts.common_unit * load[3]
             number = _exact_multiplier(work[n].tolist(), beyond, generators[n, :, 0].tolist())
-            found[n] = number and number / unit
-    return found
+            multipliers[n] = number and number / unit
+    return multipliers
 
 
 def _exact_multiplier(
