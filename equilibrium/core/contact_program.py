@@ -125,10 +125,23 @@ class ContactProgram:
 
     def only_solution(self) -> Solution | None:
         """Return the one point that equations leave, if it is a solution."""
-        rows, pivots, scale = self._reduced
-        point = [Fraction(-row[-1], scale) for row, _ in zip(rows, pivots, strict=False)]
+        point = self.completed([Fraction(0)] * self.size)
         at = self.values(point)
         return self.at(point) if all(at.of(x.terms) >= 0 for x in self._least) else None
+
+    def completed(self, near: Sequence[Fraction]) -> list[Fraction]:
+        """Return the solution of consistent equations that has these numbers where they leave any.
+
+        Args:
+            near: of the motion, and of `unknowns`.
+        """
+        rows, pivots, scale = self._reduced
+        point = list(near)
+        free = [k for k in range(self.size) if k not in pivots]
+        for row, pivot in zip(rows, pivots, strict=False):
+            rest = row[-1] + sum(row[k] * near[k] for k in free)
+            point[pivot] = Fraction(-rest) / scale
+        return point
 
     @property
     def unknowns(self) -> list[Any]:

@@ -15,10 +15,8 @@ from fractions import Fraction
 
 import numpy as np
 
-from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
-from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.core.contacts import FloatContacts
 from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Solution
 
@@ -41,8 +39,6 @@ class EquilibriumSettings:
     force_tolerance: float = 1e-6
     #: The same at fixed points of Tresca friction, and how close to a limit friction may be.
     tresca_tolerance: float = 1e-5
-    #: Motions that balance leaves open are multiples of one over this.
-    open_motion_denominator: int = 2**10
     #: Motions that agree to one over this lead to the same equilibrium, mostly.
     same_motion_denominator: int = 8
     #: Steps that are counted for one sharpness of a path, see `Effort`.
@@ -172,8 +168,22 @@ class EquilibriumSearch:
         self._visited.append(states)
         each = SETTINGS.proposal_steps_per_contact
         self.effort.check(SETTINGS.proposal_steps + each * len(self.contacts.rows))
-        proposed = proposals(self.contacts, self.wrench, motion, states, self._tried)
-        return next(filter(self.accept, proposed), None)
+        return next(filter(self.accept, self._proposals(motion, states)), None)
+
+    def _proposals(self, motion: Floats, states: States) -> Iterator[Solution]:
+        """Yield equilibria of given states near a motion; none where they were tried before."""
+        size = float(np.abs(motion).max()) or 1.0
+        steps = np.rint(SETTINGS.same_motion_denominator * motion / size).astype(int)
+        key = states.key, states.rational, tuple(steps.tolist())
+        if key in self._tried:
+            return
+        self._tried.add(key)
+        balance = StateBalance(self.contacts, self.wrench, states)
+        if states.rational:
+            # The simplest motion first, of those that balance leaves open.
+            yield from self.exact.balanced(balance, [np.zeros(len(motion)), motion])
+        if any(states.slipping):
+            yield from enclosures(balance, motion)
 
     def _rubbing(self, motion: Floats, forces: Floats, slipping: Sequence[bool]) -> Solution | None:
         """Return an equilibrium where contacts of huge friction slip that seem to stick."""
@@ -192,90 +202,3 @@ class EquilibriumSearch:
         solution = None if states in self._tried else exact.holds(states)
         self._tried.add(states)
         return solution if solution is not None and self.accept(solution) else None
-
-
-def proposals(
-    contacts: FloatContacts,
-    wrench: RationalVector,
-    motion: Floats,
-    states: States,
-    tried: set[object],
-) -> Iterator[Solution]:
-    """Yield equilibria of given states near a motion; those in `tried` are not tried again."""
-    size = float(np.abs(motion).max()) or 1.0
-    about = tuple(np.rint(SETTINGS.same_motion_denominator * motion / size).astype(int).tolist())
-    if (states.key, states.rational, about) in tried:
-        return
-    tried.add((states.key, states.rational, about))
-    balance = StateBalance(contacts, wrench, states)
-    if states.rational:
-        # The simplest motion first, of those that balance leaves open.
-        for start in (np.zeros(len(motion)), motion):
-            found = _solved(balance, start)
-            if found is not None:
-                yield found
-    if any(states.slipping):
-        yield from enclosures(balance, motion)
-
-
-def _solved(balance: StateBalance, motion: Floats) -> Solution | None:
-    """Return the solution where no slip turns with the motion."""
-    p, size = len(balance.basis), len(balance.basis) + len(balance.pillars)
-    springs = _springs(balance, size)
-    rows = _rows(balance, springs, size)
-    reduced, pivots, scale = gauss_jordan(rows)
-    if size in pivots:
-        return None
-    # What the equations leave open is taken from the motion in floats.
-    coarse = SETTINGS.open_motion_denominator
-    point = [Fraction(round(coarse * x), coarse) for x in balance.coordinates(motion)]
-    point += [Fraction(0)] * (size - p)
-    free = [k for k in range(size) if k not in pivots]
-    for row, pivot in zip(reduced, pivots, strict=False):
-        point[pivot] = Fraction(-row[size] - sum(row[k] * point[k] for k in free)) / scale
-    moved = tuple(dot(column, point[:p]) for column in zip(*balance.basis, strict=True))
-    forces = []
-    for i, contact in enumerate(balance.contacts.rows):
-        normal = dot(springs[i], [*point, Fraction(1)]) if i in springs else Fraction(0)
-        pair = [contact.friction * normal * x for x in balance.share(i)]
-        for k, (pillar, j) in enumerate(balance.pillars, p):
-            if pillar == i:
-                pair[j] += point[k]
-        forces.append((normal, *pair))
-    return Solution(moved or (Fraction(0),) * balance.contacts.rows.n, tuple(forces))
-
-
-def _springs(balance: StateBalance, size: int) -> dict[int, list[Fraction]]:
-    """Return the normal forces of touching contacts as rows in the unknowns."""
-    rest = [Fraction(0)] * (size - len(balance.basis))
-    return {
-        i: [*(dot(slope, b) for b in balance.basis), *rest, preload]
-        for i, (preload, *slope) in enumerate(balance.contacts.springs)
-        if balance.states.touching[i]
-    }
-
-
-def _rows(
-    balance: StateBalance, springs: dict[int, list[Fraction]], size: int
-) -> list[list[Fraction]]:
-    """Return balance, and that slipping contacts do not move across their directions."""
-    rows = [[Fraction(0)] * size + [w] for w in balance.wrench]
-    p, straight = len(balance.basis), []
-    for i, spring in springs.items():
-        contact, share = balance.contacts.rows[i], balance.share(i)
-        one, other = contact.tangential_wrenches
-        arm = [
-            n + contact.friction * (share[0] * s + share[1] * t)
-            for n, s, t in zip(contact.normal_wrench, one, other, strict=True)
-        ]
-        for row, x in zip(rows, arm, strict=True):
-            row[:] = [y + x * slope for y, slope in zip(row, spring, strict=True)]
-        if balance.states.slipping[i]:
-            across = [share[0] * t - share[1] * s for s, t in zip(one, other, strict=True)]
-            turns = [dot(across, b) for b in balance.basis]
-            straight.append([*turns, *[Fraction(0)] * (size - p + 1)])
-    for k, (i, j) in enumerate(balance.pillars, p):
-        pull = balance.contacts.rows[i].tangential_wrenches[j]
-        for row, x in zip(rows, pull, strict=True):
-            row[k] += x
-    return rows + straight

@@ -9,7 +9,7 @@ friction there has a rational direction.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -27,7 +27,7 @@ from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Leaf, Solution
 
 from .cones import Node, Pyramids, Slip, State as TreeState
-from .states import States, rational_direction
+from .states import StateBalance, States, rational_direction
 
 #: Sides of the polygons at first.
 _FIRST_SIDES = 8
@@ -38,6 +38,8 @@ _NEAR_DENOMINATOR = 64
 _CUT_DENOMINATOR = 2**20
 #: What is taken off the least product of a middle direction with the arc of a sector.
 _MIDDLE_ERROR = Fraction(1, 2**40)
+#: Motions and forces that balance leaves open are multiples of one over this.
+_OPEN_DENOMINATOR = 2**10
 #: Steps of the rows of a contact, for each unknown.
 _ROW_STEPS = 200
 #: Up to this sine of the angle a slip is along a direction.
@@ -93,6 +95,36 @@ class ExactParts:
 
     def equilibrium(self, states: States) -> Solution | None:
         """Return an equilibrium of given states, if there is one whose slips are rational."""
+
+        def stick(i: int, mu: Fraction) -> State:
+            corners = [*self.base, *_near(*states.ratio[i].tolist())]
+            return ContactState.of("stick", 2, _inside(mu, corners))
+
+        outcome = self._solve(self._decided(states, stick))
+        return outcome if isinstance(outcome, Solution) else None
+
+    def balanced(self, balance: StateBalance, motions: Iterable[Floats]) -> Iterator[Solution]:
+        """Yield motions and forces that balance in given states with rational slips.
+
+        Contacts that stick have shares of their limits, but for pillars. What the equations leave
+        open is that of the motions, rounded.
+        """
+        states, pillars = balance.states, {i for i, _ in balance.pillars}
+
+        def stick(i: int, _: Fraction) -> State:
+            share = None if i in pillars else states.shares[i]
+            return ContactState.of("stick", 2)._replace(share=share)
+
+        program = ContactProgram(self.question, tuple(self._decided(states, stick)))
+        if program.freedom is None:
+            return
+        forces = [float(states.forces[i, 1 + j]) for _, i, j in program.unknowns]
+        for motion in motions:
+            near = [round(_OPEN_DENOMINATOR * x) for x in (*motion.tolist(), *forces)]
+            yield program.at(program.completed([Fraction(x, _OPEN_DENOMINATOR) for x in near]))
+
+    def _decided(self, states: States, stick: Callable[[int, Fraction], State]) -> list[State]:
+        """Return the conditions of given states, with those of contacts that stick."""
         decided: list[State] = []
         for i, contact in enumerate(self.rows):
             share, mu = states.shares[i], contact.friction
@@ -102,12 +134,10 @@ class ExactParts:
                 along = tuple(-x for x in share)
                 decided.append(ContactState("attached", _sides((along,)), share=share))
             elif mu:
-                corners = [*self.base, *_near(*states.ratio[i].tolist())]
-                decided.append(ContactState.of("stick", 2, _inside(mu, corners)))
+                decided.append(stick(i, mu))
             else:
                 decided.append("attached")
-        outcome = self._solve(decided)
-        return outcome if isinstance(outcome, Solution) else None
+        return decided
 
     def _solve(self, states: Sequence[State]) -> Solution | Leaf:
         """Return the motion and all forces of a program, or the leaf that shows there are none."""
