@@ -8,6 +8,8 @@ and exact (see `depth_tree`).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from arrangement.arrangement import Arrangement
@@ -32,6 +34,7 @@ from arrangement.pictures.coordinates import (
     planes_view,
     point_map,
 )
+from arrangement.pictures.looks import ColoursOption, looks_of_classes, read_looks
 from arrangement.pictures.names import Labels, RegionLabels, equation, generator_text, plane_names
 from arrangement.pictures.planes import PlanesSheet
 from arrangement.pictures.stage import (
@@ -43,6 +46,7 @@ from arrangement.pictures.stage import (
     unit_points,
     walls_of_edges,
 )
+from arrangement.planes.planes import Names, Planes
 
 #: Up to this many cells have labels.
 _NAMED = 60
@@ -118,6 +122,7 @@ def cells_page(
     arrangement: Arrangement,
     *,
     title: str | None = None,
+    colours: ColoursOption | None = None,
     centre: Vector | None = None,
     radius: Exact | None = None,
     explode: float = 1.3,
@@ -131,6 +136,7 @@ def cells_page(
     Args:
         arrangement: of rank at most 3, central or not.
         title: a heading; if omitted, the number of planes.
+        colours: of single planes, as for `draw_sphere`; a page has no dashes.
         centre, radius: exact, of the cube, instead of one that contains all vertices.
         explode: how far the cells stand apart at first, from 1 to 3.
         camera: exact vector to the viewer at first; if omitted, one in which no plane is edge-on.
@@ -139,7 +145,8 @@ def cells_page(
         InputError: rank above 3, too many planes or cells, a bad factor.
     """
     number = counted(len(arrangement), "plane")
-    note, arrangement = caption(arrangement, 3), in_view_space(arrangement, "cells")
+    note, fills = caption(arrangement, 3), _fills(arrangement, colours)
+    arrangement = in_view_space(arrangement, "cells")
     cells = _cells(arrangement, "cube", centre, radius, explode)
     towards = clear_sight(cells) if camera is None else view_direction(camera)
     points = unit_points(cells)
@@ -148,7 +155,7 @@ def cells_page(
     regions = {face.signs: face for face in arrangement.regions()}
     firsts = arrangement.distinct_planes
     for k, cell in enumerate(cells.cells):
-        faces += [(cell.sides, face) for face in _faces(points, cell, k)]
+        faces += [(cell.sides, face) for face in _faces(points, cell, k, fills)]
         walls = sorted({wall for wall in cell.walls if wall >= 0})
         sign = sign_text(cell.signs, "\u2212")
         planes = "; ".join(equation(firsts[w][:3], firsts[w][3]) for w in walls)
@@ -158,7 +165,7 @@ def cells_page(
         told.append((sign or "all", facts))
     legend = [
         (
-            pale(plane_colour(label)),
+            fills[label],
             f"{plane_names(arrangement, members)}: {equation(first[:3], first[3])}",
         )
         for label, (members, first) in enumerate(zip(arrangement.distinct, firsts, strict=True))
@@ -190,14 +197,21 @@ def _cells(
     return cells
 
 
-def _faces(points: Floats, cell: Cell, number: int) -> list[PageFace]:
+def _fills(planes: Planes, colours: str | Names | None) -> list[str]:
+    """Return the colour of the walls on each class of planes."""
+    own = looks_of_classes(planes, read_looks(colours or {}, planes))
+    chosen = (own[first].colour if first in own else "" for first in planes.firsts)
+    return [colour or pale(plane_colour(k)) for k, colour in enumerate(chosen)]
+
+
+def _faces(points: Floats, cell: Cell, number: int, fills: Sequence[str]) -> list[PageFace]:
     middle, walls = centroid(points, cell.faces), walls_of_edges(cell)
     faces = []
     for face, wall in zip(cell.faces, cell.walls, strict=True):
         corners = points[list(face)]
         edges = [points[[a, b]] for a, b in cycle_edges(face) if sharp(*walls[a, b], smooth=False)]
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
-        fill = SKIN if wall < 0 else pale(plane_colour(wall))
+        fill = SKIN if wall < 0 else fills[wall]
         lines = np.array(edges).reshape(-1, 2, 3)
         faces.append(PageFace(corners, fill, normal, lines, number, middle))
     return faces
@@ -213,6 +227,7 @@ def cells_model(
     explode: float = 1.3,
     size: float = 60.0,
     colour: str | Painter = "planes",
+    colours: ColoursOption | None = None,
     coordinates: str | None = None,
 ) -> bytes:
     """Build all cells of an arrangement in a ball or a cube as separate closed parts.
@@ -236,6 +251,7 @@ def cells_model(
         colour: in GLB. "planes" (a wall has the colour of its plane), "sides" (a cell by its
             number of walls), "signs" (by its number of minus signs), "none", or a function of a
             `DrawnRegion`.
+        colours: of single planes, as for `draw_sphere`, where walls have those of planes.
         coordinates: as for `draw_planes`.
 
     Raises:
@@ -246,27 +262,30 @@ def cells_model(
     if not isinstance(explode, int | float) or not 1 <= explode <= 10:
         raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 10")
     paint = None if colour == "planes" else painter(colour)
+    if colours is not None and paint is not None:
+        raise InputError("colours of single planes go with the colour planes; keep one of them")
+    fills = _fills(arrangement, colours)
     half = millimetres(size, "size") / 2
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
     arrangement, _ = in_coordinates(coordinates, in_view_space(arrangement, "cells"))
     cells = cut_cells(arrangement, body, centre, radius)
     points = unit_points(cells) * half
-    parts = [_part(cells, cell, points, explode - 1, paint) for cell in cells.cells]
+    parts = [_part(cells, cell, points, explode - 1, paint or fills) for cell in cells.cells]
     kind = counted(len(parts), "cell")
     return model_bytes(parts, suffix, f"{kind} of an arrangement in a {body}")
 
 
 def _part(
-    cells: Cells, cell: Cell, points: Floats, apart: float, paint: Painter | None
+    cells: Cells, cell: Cell, points: Floats, apart: float, paint: Painter | list[str]
 ) -> ClosedSurface:
     used = sorted({i for face in cell.faces for i in face})
     number = {old: new for new, old in enumerate(used)}
     own = points[used]
     faces = tuple(tuple(number[i] for i in face) for face in cell.faces)
     walls = {wall for wall in cell.walls if wall >= 0}
-    if paint is None:
-        colours = tuple(pale(plane_colour(w)) if w >= 0 else SKIN for w in cell.walls)
+    if isinstance(paint, list):
+        colours = tuple(paint[w] if w >= 0 else SKIN for w in cell.walls)
     else:
         colours = (paint(DrawnRegion(cell.signs, len(walls))),) * len(faces)
     middle = centroid(own, faces) * apart

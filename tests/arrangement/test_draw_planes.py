@@ -23,6 +23,7 @@ from arrangement.counts import f_vector, region_count
 from arrangement.drawing.scene import Path
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.duals.cells import Cells, body_around, cut_cells
+from arrangement.errors import InputError
 from arrangement.library.families.classical import golden_ratio
 from arrangement.numbers.exact import sign
 from arrangement.numbers.linear.rank import determinant
@@ -386,6 +387,20 @@ def _cosines(planes: Arrangement) -> list[float]:
     units = units.reshape(len(planes), planes.dimension)
     units /= np.linalg.norm(units, axis=1, keepdims=True)
     return [float(x) for x in (units @ units.T).ravel()]
+
+
+def test_single_planes_of_pages_and_models_have_colours():
+    planes = Arrangement([[1, 0, 0], [2, 0, 0], [0, 1, 0], [0, 0, 1]], names=["", "", "ell", ""])
+    plain, page = cells_page(planes), cells_page(planes, colours="2=#123456,ell=#654321")
+    data = data_of(page)
+    fills = {face["fill"] for node in data["nodes"] for face in node["faces"]}
+    assert {"#123456", "#654321"} < fills
+    assert "#123456" not in plain
+    assert {fill for fill, _ in data["legend"]} == fills
+    models = [cells_model(planes, ".glb", colours=x) for x in (None, "ell=#654321", "3=#654321")]
+    assert models[0] != models[1] == models[2]
+    with pytest.raises(InputError, match="keep one of them"):
+        cells_model(planes, ".glb", colour="sides", colours="1=red")
 
 
 @pytest.mark.parametrize("planes", [BRAID, GRAPHIC, RESTRICTION])
