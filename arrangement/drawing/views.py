@@ -554,9 +554,10 @@ class Drawings:
         check_synonyms(options, known)
         for option in options:
             if option not in known:
-                raise refusal(
-                    f"the {kind} {name} has no option {shown(option)}", option, known, "it has"
-                )
+                having = [x for x in self.entries(kind) if option in self.options(kind, x)]
+                others = f" ({kind}s with it: {', '.join(having)})" if having else ""
+                mistake = f"the {kind} {name} has no option {shown(option)}{others}"
+                raise refusal(mistake, option, known, "it has")
         for needed in known.values():
             if needed.required and needed.name not in options:
                 raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")

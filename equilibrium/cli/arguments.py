@@ -229,17 +229,6 @@ def add_on_body(
     ways.add_argument(name, nargs=4, action=_OnBody, metavar=("BODY", *_AXES), help=text)
 
 
-def contact_number(text: str) -> int:
-    """Read the number of a contact."""
-    try:
-        return values.count_argument(text)
-    except argparse.ArgumentTypeError:
-        raise argparse.ArgumentTypeError(
-            f"{shown(text)} is not the number of a contact; write numbers from 1 on, such as 1 2. "
-            "Their friction and preload stand in the file"
-        ) from None
-
-
 def spanning_wrench(text: str) -> tuple[Fraction, ...]:
     """Read one of the wrenches that span a plane: fx, fy, tau, or three numbers as 1,0,0."""
     if text in _SPANNING:

@@ -394,7 +394,16 @@ def test_missing_values_and_lost_numbers_are_named(capsys):
     assert "; write --wrench F_X F_Y TAU" in refused(capsys, "solve", THREE, "0,-1,0")
     err = refused(capsys, "solve", THREE, "--wrench", "0,5", "-1", "0")
     assert "(decimals have a point)" in err
+    assert "(views with it: slice)" in refused(
+        capsys, "draw", THREE, "--slice", "fx", "fy", "-o", "a.svg"
+    )
     assert "one of --output, --voussoirs" in refused(capsys, "make", "arch", "--stones", "5")
+
+
+def test_table_is_not_a_certificate(tmp_path, capsys):
+    path = tmp_path / "two.csv"
+    path.write_text(TABLE.format(f="1/4"))
+    assert "--certificate CERT.json` writes" in refused(capsys, "verify", str(path))
 
 
 @pytest.mark.parametrize("command", ["solve", "resisted", "info", "draw"])
