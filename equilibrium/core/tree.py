@@ -10,8 +10,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
+from heapq import heappop, heappush
 from itertools import chain
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -70,6 +71,20 @@ class TreeSettings:
 
 
 SETTINGS = TreeSettings()
+
+
+class Reach(NamedTuple):
+    """How near the loads that are resisted come to one that is not, in floats.
+
+    Attributes:
+        share: of the way from the load that is not resisted to the other one.
+        tree: the nodes that were split; the open ones reach less far.
+        stuck: whether the node that reaches furthest is split no further.
+    """
+
+    share: float
+    tree: OpenTree
+    stuck: bool
 
 
 class SpatialSearch:
@@ -135,6 +150,60 @@ class SpatialSearch:
         with np.errstate(all="ignore"):
             self.exactly = True
             return self._search(tree, tree.nodes + len(tree.waiting) + nodes)
+
+    def reach(self, change: Floats, nodes: int, near: float) -> Reach:
+        """Return how near resisted loads come to this one, as far as relaxations show.
+
+        The load is an unknown of the relaxations, between two given ones. The node that reaches
+        furthest is split, again and again, so where relaxations come close to the law the boundary
+        is near. It shows where to ask, and a tree whose open nodes a proof there has to close.
+
+        Args:
+            change: of the load to one that is resisted.
+            nodes: whose programs are solved, at most.
+            near: the search ends where it is as near to the load that is resisted.
+        """
+        relaxation, tree = self.relaxation, OpenTree(self.root)
+        furthest: list[tuple[float, int, Any, Any]] = []
+        closed = []
+        count = 0
+
+        def ask(states: Node, parent: list[Any], position: int) -> None:
+            nonlocal count
+            count += 1
+            self.count_program()
+            first = relaxation.first(states, change)
+            place = states, parent, position
+            if first is None:
+                closed.append(place)
+            else:
+                heappush(furthest, (first[0], count, first[1], place))
+
+        stuck = False
+        ask(*tree.waiting.pop())
+        while furthest and count < nodes and furthest[0][0] < 1 - near:
+            _, _, point, (states, parent, position) = furthest[0]
+            values = relaxation.violations(states, point)
+            split = None
+            if values.max(initial=0.0) > SETTINGS.law_tolerance:
+                split = self.splits.of_worst_contact(states, values, point)
+                split = split or self.splits.of_any_contact(states, point)
+            if split is None:
+                stuck = True
+                break
+            heappop(furthest)
+            tree.splits[states], parent[position] = split, split.node
+            for k, part in enumerate(split.parts):
+                ask(part, split.children, k)
+        tree.waiting = [*closed, *(place for *_, place in furthest)]
+        if not furthest:
+            return Reach(1.0, tree, stuck)
+        share, _, point, _ = furthest[0]
+        # There may be an equilibrium near.
+        self.memory.hold(
+            self.equilibria.smooth.load + share * change, point.motion * relaxation.scale
+        )
+        return Reach(share, tree, stuck)
 
     def count_program(self) -> None:
         """Count the steps of one relaxation."""

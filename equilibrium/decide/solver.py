@@ -39,8 +39,7 @@ from .verdict import Verdict, engine_of
 if TYPE_CHECKING:
     # Questions in the plane start without the search in space.
     from equilibrium.core.memory import Memory, OpenTree
-    from equilibrium.core.reach import Reach
-    from equilibrium.core.tree import SpatialSearch
+    from equilibrium.core.tree import Reach, SpatialSearch
 
 #: A wrench; of an assembly one for each body, by name.
 Load: TypeAlias = Iterable[Any] | Mapping[str, Iterable[Any]]
@@ -271,11 +270,9 @@ class Solver(ReprMixin):
     def reach(
         self, refused: RationalVector, resisted: RationalVector, nodes: int, near: float
     ) -> Reach:
-        """Return how near resisted loads come to one that is not; see `equilibrium.core.reach`."""
-        from equilibrium.core.reach import reach
-
+        """Return how near resisted loads come to one that is not; see `SpatialSearch.reach`."""
         change = np.array([nearest(x - y) for x, y in zip(resisted, refused, strict=True)])
-        return reach(self._search(refused), change, nodes, near)
+        return self._search(refused).reach(change, nodes, near)
 
     def close(self, wrench: RationalVector, tree: OpenTree, nodes: int) -> Verdict:
         """Decide a wrench in space by a tree that is open, and maybe this many further nodes."""

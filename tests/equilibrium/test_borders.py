@@ -181,7 +181,7 @@ class TestInThePlaneAndOfAssemblies:
         from equilibrium import Assembly, BodyContact
 
         feet = [Contact([x, 0], [0, 1], "1/2") for x in (-1, 1)]
-        load, kind = [1, -3, 0], friction._OfAssembly if of_bodies else friction._OfGrasp
+        load, kind = [1, -3, 0], friction._Search
         grasp = Grasp(feet)
         if of_bodies:
             grasp = Assembly(["block"], [BodyContact("block", None, foot) for foot in feet])
