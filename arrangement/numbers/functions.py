@@ -46,6 +46,18 @@ class Span:
             return self.has_low if value == self.low else self.has_high
         return self.low < value < self.high
 
+    def joined(self, other: Span) -> Span | None:
+        """Return this and the next interval as one; None if there is something between them."""
+        if self.high != other.low or not (self.has_high or other.has_low):
+            return None
+        return Span(self.low, other.high, self.has_low, other.has_high)
+
+    def around(self, part: Span) -> list[Span]:
+        """Return what is below a part of this, and what is above it, if there is anything."""
+        below = Span(self.low, part.low, self.has_low, not part.has_low)
+        above = Span(part.high, self.high, not part.has_high, self.has_high)
+        return [x for x in (below, above) if x.low < x.high or (x.has_low and x.has_high)]
+
     def __str__(self) -> str:
         ends = f"{to_text(self.low)}, {to_text(self.high)}"
         return f"{'[' if self.has_low else '('}{ends}{']' if self.has_high else ')'}"

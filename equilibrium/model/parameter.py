@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Container, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -315,7 +315,7 @@ def mapped(document: Mapping[str, Any], change: Callable[[Any, str], Any]) -> di
             listed = enumerate(check_list(changed[kind], kind))
             changed[kind] = [mapped_one(x, change, keys, f"{kind}[{i}]") for i, x in listed]
     if "wrench" in changed:
-        changed["wrench"] = _deep(changed["wrench"], change, "wrench")
+        changed["wrench"] = deep(changed["wrench"], change, "wrench")
     return changed
 
 
@@ -329,12 +329,21 @@ def mapped_one(
     if not isinstance(entry, Mapping):
         return entry
     pairs = entry.items()
-    return {k: _deep(x, change, f"{name}.{k}") if k in keys else x for k, x in pairs}
+    return {k: deep(x, change, f"{name}.{k}") if k in keys else x for k, x in pairs}
 
 
-def _deep(value: Any, change: Callable[[Any, str], Any], name: str) -> Any:
+def deep(
+    value: Any, change: Callable[[Any, str], Any], name: str = "", plain: Container[str] = ()
+) -> Any:
+    """Return a part of a document with something in place of each number.
+
+    Args:
+        change: see `mapped`.
+        plain: keys whose values have no numbers.
+    """
     if isinstance(value, Mapping):
-        return {key: _deep(x, change, f"{name}.{key}") for key, x in value.items()}
+        pairs = value.items()
+        return {k: x if k in plain else deep(x, change, f"{name}.{k}", plain) for k, x in pairs}
     if isinstance(value, list):
-        return [_deep(x, change, f"{name}[{i}]") for i, x in enumerate(value)]
+        return [deep(x, change, f"{name}[{i}]", plain) for i, x in enumerate(value)]
     return change(value, name)

@@ -134,11 +134,8 @@ class ResistedValues(ReprMixin):
     def _joined(self, verdict: str) -> tuple[Span, ...]:
         joined: list[Span] = []
         for span in (piece.span for piece in self.pieces if piece.verdict == verdict):
-            last = joined[-1] if joined else None
-            if last and last.high == span.low and (last.has_high or span.has_low):
-                joined[-1] = Span(last.low, span.high, last.has_low, span.has_high)
-            else:
-                joined.append(span)
+            both = joined[-1].joined(span) if joined else None
+            joined[-1 if both else len(joined) :] = [both or span]
         return tuple(joined)
 
     def verdict_at(self, value: Any) -> str:
@@ -285,25 +282,20 @@ class _Search:
 
     def _union(self, one: Piece, other: Piece) -> Piece | None:
         """Return one piece in place of two neighbours, if one of their proofs holds for both."""
-        touch = one.span.high == other.span.low and (one.span.has_high or other.span.has_low)
-        if one.verdict != other.verdict or not touch:
+        span = one.span.joined(other.span)
+        if one.verdict != other.verdict or span is None:
             return None
-        span = Span(one.span.low, other.span.high, one.span.has_low, other.span.has_high)
         for piece in (other, one):
             if not parameter_problem(self.family, span, piece.proof)[1]:
                 return piece._replace(span=span)
         return None
 
-    def _gaps(self) -> Iterator[Span]:
-        """Yield the intervals of values without a proof, in order."""
-        low, has_low = self.between.low, self.between.has_low
+    def _gaps(self) -> list[Span]:
+        """Return the intervals of values without a proof, in order."""
+        gaps = [self.between]
         for piece in self.pieces:
-            span = piece.span
-            if low < span.low or (low == span.low and has_low and not span.has_low):
-                yield Span(low, span.low, has_low, not span.has_low)
-            low, has_low = span.high, not span.has_high
-        if low < self.between.high or (low == self.between.high and has_low):
-            yield Span(low, self.between.high, has_low, True)
+            gaps[-1:] = gaps[-1].around(piece.span)  # what is above it is last
+        return gaps
 
     def _next_value(self) -> tuple[Fraction, Span] | None:
         """Return a value to ask at and the gap that it is in; None if there is none left.

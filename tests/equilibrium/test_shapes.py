@@ -25,11 +25,11 @@ from equilibrium import (
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import read_shapes
 from equilibrium.grasps.inputs.documents import read_assembly
-from equilibrium.grasps.inputs.shapes_letter import mapped_numbers, shapes_with_letter
+from equilibrium.grasps.inputs.shapes_letter import WORDS, shapes_with_letter
 from equilibrium.grasps.schemas import assembly_schema, grasp_schema, shapes_schema
 from equilibrium.model.assembly import Assembly, BodyContact, RigidBody
 from equilibrium.model.outline import Segments, Sphere, read_outline
-from equilibrium.model.parameter import ParametricQuestion
+from equilibrium.model.parameter import ParametricQuestion, deep
 from tests.schemas import validator
 
 SCHEMA = validator(shapes_schema())
@@ -659,10 +659,10 @@ class TestLetter:
         for k in range(1, 40):
             value = Fraction(low) + (Fraction(high) - Fraction(low)) * Fraction(k, 40)
 
-            def at(x, value=value):
+            def at(x, _, value=value):
                 return str(read_expression(x, "t").value(value))
 
-            read = read_shapes(mapped_numbers(known, at))
+            read = read_shapes(deep(known, at, plain=WORDS))
             assert question.at(value) == (read.subject, read.subject.weights)
             assert len(read.subject.contacts) > 2
 

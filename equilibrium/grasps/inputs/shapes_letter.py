@@ -8,7 +8,7 @@ contacts have to be the same functions everywhere.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -16,18 +16,18 @@ from arrangement.errors import InputError
 from arrangement.library.files.json_files import Source
 from arrangement.numbers.exact import simplest_between, to_text
 from arrangement.numbers.expressions import read_expression
-from arrangement.numbers.functions import Domain, Function, Span
+from arrangement.numbers.functions import Domain, Function
 from arrangement.numbers.linear.rank import difference
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Circle
-from equilibrium.model.parameter import ParametricQuestion, interval
+from equilibrium.model.parameter import ParametricQuestion, deep, interval
 
 from .parameter import read_range
 from .shapes import PairValues, listed_shapes, read_shapes, shapes_document
 from .touching import Touch, into_body, touches
 
 #: Keys whose values have no numbers.
-_WORDS = ("name", "shapes", "body_a", "body_b", "description", "units", "schema_version")
+WORDS = ("name", "shapes", "body_a", "body_b", "description", "units", "schema_version")
 #: How near to irrational values at which a comparison changes contacts are found (length 1).
 _WIDTH = Fraction(1, 10**12)
 #: Intervals and single values into which the range is cut at most.
@@ -84,16 +84,11 @@ def shapes_with_letter(
                 f"{letter} = {to_text(found[0])}; expected shapes that touch in the same way for "
                 "all values. Choose a shorter range"
             )
-        done = domain.span
-        for part in (
-            Span(rest.low, done.low, rest.has_low, not done.has_low),
-            Span(done.high, rest.high, not done.has_high, rest.has_high),
-        ):
-            width = part.high - part.low
-            if width > 2 * _WIDTH or (not width and part.has_low and part.has_high):
-                open_spans.append(part)
-            elif width:
+        for part in rest.around(domain.span):
+            if 0 < part.high - part.low <= 2 * _WIDTH:
                 remarks.append(f"contacts are not proved for {letter} in {part}")
+            else:
+                open_spans.append(part)
     else:
         raise GraspError(
             f"the contacts have to be found in more than {_MOST_CELLS} parts of {span}; choose a "
@@ -108,13 +103,13 @@ def shapes_with_letter(
 def _at(document: Mapping[str, Any], letter: str, value: Any) -> dict[str, Any]:
     """Return a document with numbers, or functions, for its expressions in the letter."""
 
-    def number(x: Any) -> Any:
-        expression = read_expression(x, letter)
+    def number(x: Any, name: str) -> Any:
+        expression = read_expression(x, letter, name.removeprefix("."))
         if expression.has_turn:
             raise GraspError(f"{x} has an angle; write (1-t^2)/(1+t^2) for cos and so on")
         return value * 0 + expression.value(value)
 
-    made: dict[str, Any] = mapped_numbers(document, number)
+    made: dict[str, Any] = deep(document, number, plain=WORDS)
     return made
 
 
@@ -133,14 +128,6 @@ def _contact(touch: Touch) -> dict[str, Any]:
         **texts,
         "shapes": (touch.first.name, touch.second.name),
     }
-
-
-def mapped_numbers(value: Any, number: Callable[[Any], Any]) -> Any:
-    """Return a document with something in place of each number."""
-    if isinstance(value, Mapping):
-        pairs = value.items()
-        return {k: x if k in _WORDS else mapped_numbers(x, number) for k, x in pairs}
-    return [mapped_numbers(x, number) for x in value] if isinstance(value, list) else number(value)
 
 
 def _written(document: Mapping[str, Any], found: _Contacts) -> dict[str, Any]:
