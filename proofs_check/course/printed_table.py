@@ -34,7 +34,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.counts.whitney import why_none_is_bounded
 from arrangement.errors import ArrangementError, InputError, OutOfReachError, refusal
 from arrangement.library.census import MOST_LINES, MOST_PLANES, census
-from arrangement.library.census.affine_lines import line_count
+from arrangement.library.census.catalogue import line_count
 from arrangement.library.census.chirotopes import (
     Signs,
     canonical,

@@ -15,7 +15,6 @@ from arrangement import Arrangement, InputError, cli, families
 from arrangement.cli import main
 from arrangement.library.census import (
     PUBLISHED,
-    affine_lines,
     catalogue,
     census,
     final_polynomials,
@@ -163,7 +162,7 @@ AFFINE_SIMPLE = {1: 1, 2: 1, 3: 1, 4: 1, 5: 6, 6: 43, 7: 922, 8: 38_609}
     ],
 )
 def test_affine_lines_have_published_numbers_of_classes(m, simple):
-    assert affine_lines.line_count(m, simple=simple) == (AFFINE_SIMPLE if simple else AFFINE)[m]
+    assert catalogue.line_count(m, simple=simple) == (AFFINE_SIMPLE if simple else AFFINE)[m]
 
 
 def moved(lines: Arrangement) -> Arrangement:
@@ -175,12 +174,12 @@ def moved(lines: Arrangement) -> Arrangement:
 
 @pytest.mark.parametrize("m", range(1, 6))
 def test_each_class_of_affine_lines_is_listed_once(m):
-    listed = [moved(lines) for lines in affine_lines.lines(m)]
+    listed = [moved(lines) for lines in catalogue.lines(m)]
     labels = {identify(lines).label for lines in listed}
     assert len(labels) == len(listed) == AFFINE[m]
     assert all(len(lines.distinct) == m and lines.dimension == 2 for lines in listed)
     plain = {identify(lines).label for lines in listed if lines.is_simple}
-    assert plain == {identify(moved(lines)).label for lines in affine_lines.lines(m, simple=True)}
+    assert plain == {identify(moved(lines)).label for lines in catalogue.lines(m, simple=True)}
     source = Random(m)
     drawn = set()
     for _ in range((0, 10, 30, 100, 25, 10)[m]):
@@ -195,7 +194,7 @@ def test_each_class_of_affine_lines_is_listed_once(m):
 
 @pytest.mark.parametrize("m", [2, 3, 4])
 def test_automorphisms_of_affine_lines_are_those_of_their_regions(m):
-    for lines in map(moved, affine_lines.lines(m)):
+    for lines in map(moved, catalogue.lines(m)):
         known = identify(lines).automorphisms
         regions = {region.signs for region in lines.regions()}
         kept = sum(
@@ -209,7 +208,7 @@ def test_automorphisms_of_affine_lines_are_those_of_their_regions(m):
 
 def test_number_of_affine_lines_is_checked():
     with pytest.raises(InputError, match="1 to 8 lines of the plane"):
-        affine_lines.line_count(9)
+        catalogue.line_count(9)
 
 
 def test_affine_lines_are_identified_by_cone_and_infinity(capsys):

@@ -7,12 +7,13 @@ checkout (`tests/census`).
 
 from arrangement.planes.identification import Identification as Identification
 
-from .affine_lines import MOST_LINES as MOST_LINES, lines as lines
 from .catalogue import (
+    MOST_LINES as MOST_LINES,
     MOST_PLANES as MOST_PLANES,
     PSEUDOLINES as PSEUDOLINES,
     PUBLISHED as PUBLISHED,
     PUBLISHED_SIMPLE as PUBLISHED_SIMPLE,
     census as census,
+    lines as lines,
 )
 from .identify import identify as identify

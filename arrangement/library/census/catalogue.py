@@ -1,10 +1,16 @@
-"""The shipped list of types, read and checked on reading."""
+"""The shipped list of types, read and checked on reading; and the types of lines of the plane.
+
+Two arrangements of lines of R^2 are isomorphic if one becomes the other by relabelling and exchange
+of sides, as far as sign vectors are concerned: if their cones are so, infinity going to infinity.
+So they are the classes of m + 1 lines with an orbit of lines in each, which one at infinity stands
+for; and m parallel lines, whose cone has rank 2.
+"""
 
 from __future__ import annotations
 
 import json
 from bisect import bisect
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from importlib.resources import files
 from typing import Any, overload
@@ -28,6 +34,10 @@ PUBLISHED = {3: 1, 4: 2, 5: 4, 6: 17, 7: 143, 8: 4890, 9: 460_779}
 PUBLISHED_SIMPLE = {3: 1, 4: 1, 5: 1, 6: 4, 7: 11, 8: 135, 9: 4381}
 #: Published number of isomorphism classes of nine pseudolines ([FinschiFukuda2002]).
 PSEUDOLINES = 461_053
+#: The largest number of lines whose classes are in the census.
+MOST_LINES = MOST_PLANES - 1
+#: Classes of the projective plane whose symmetries are found at once.
+_BATCH = 500
 #: Types that a search in the list looks at together.
 _AT_ONCE = 31
 
@@ -170,3 +180,63 @@ def place_keys(signs: Signs) -> Integers:
     """Return the rows by which the list is sorted: regions, then code."""
     codes = canonical(signs, MOST_PLANES).codes
     return np.column_stack([regions(signs, MOST_PLANES), codes])
+
+
+def lines(m: int, *, simple: bool = False) -> Iterator[Arrangement]:
+    """Yield one arrangement of each isomorphism class of m different lines of the plane R^2.
+
+    There are 1, 2, 4, 9, 47, 791, 37830 for 1 to 7 lines, and 1, 1, 1, 1, 6, 43, 922, 38609 for 1
+    to 8 in general position: any two meet, no three in a point.
+
+    Args:
+        m: 1 to 8.
+        simple: only the classes in general position.
+
+    Raises:
+        InputError: another number of lines.
+
+    Source: the counts, OEIS A241600 and A090338.
+
+    >>> [sum(1 for _ in lines(m)) for m in range(1, 6)]
+    [1, 2, 4, 9, 47]
+    """
+    if _number(m) == 1 or not simple:
+        yield Arrangement([[1, 0]] * m, range(m))
+    types = census(m + 1) if m > 1 else ()
+    for place, infinity in _at_infinity(m, simple=simple):
+        yield _without_line(types[place], infinity)
+
+
+def line_count(m: int, *, simple: bool = False) -> int:
+    """Return the number of `lines`, from chirotopes alone.
+
+    >>> line_count(4), line_count(6, simple=True)
+    (9, 43)
+    """
+    return (_number(m) == 1 or not simple) + sum(1 for _ in _at_infinity(m, simple=simple))
+
+
+def _number(m: int) -> int:
+    if type(m) is not int or not 1 <= m <= MOST_LINES:
+        raise InputError(f"m is {shown(m)}; the census has 1 to {MOST_LINES} lines of the plane")
+    return m
+
+
+def _at_infinity(m: int, *, simple: bool) -> Iterator[tuple[int, int]]:
+    """Yield the places of the classes of m + 1 lines, each with a line of every orbit."""
+    total = PUBLISHED.get(m + 1, 0)
+    # In the order of numbers of regions: the simple ones come last.
+    for start in range(total - PUBLISHED_SIMPLE[m + 1] if simple and total else 0, total, _BATCH):
+        orbits = canonical(chirotopes(m + 1, slice(start, start + _BATCH)), m + 1).orbits
+        for k, infinity in np.argwhere(orbits == np.arange(m + 1)).tolist():
+            yield start + k, infinity
+
+
+def _without_line(planes: Arrangement, infinity: int) -> Arrangement:
+    """Return the other lines of the projective plane, in coordinates with one at infinity."""
+    rows: list[Any] = [plane[:-1] for plane in planes.integer_planes]
+    far = rows.pop(infinity)
+    last = next(k for k, x in enumerate(far) if x)
+    one, two = (k for k in range(3) if k != last)
+    normals = [[far[last] * row[k] - row[last] * far[k] for k in (one, two)] for row in rows]
+    return Arrangement(normals, [-row[last] for row in rows])
