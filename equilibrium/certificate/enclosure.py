@@ -51,6 +51,8 @@ class Interval(NamedTuple):
         """Return an interval of all products."""
         a, b = self
         c, d = other
+        if not (a or b) or not (c or d):
+            return Interval(0, 0)
         products = (a * c, a * d, b * c, b * d)
         return Interval(min(products) >> _BITS, -(-max(products) >> _BITS))
 
@@ -116,8 +118,8 @@ def enclosure_problem(
     ]
     centre = [interval(m) for m in given.centre]
     try:
-        value, _ = _balance(felt_contacts, wrench, given, centre, max_displacement)
-        _, derivative = _balance(felt_contacts, wrench, given, box, max_displacement)
+        value, _ = _balance(felt_contacts, wrench, given, centre, max_displacement, 0)
+        _, derivative = _balance(felt_contacts, wrench, given, box, max_displacement, len(box))
     except BrokenLaw as broken:
         return str(broken)
     inverse = [[interval(x) for x in row] for row in given.inverse]
@@ -191,18 +193,22 @@ def _balance(
     given: Enclosure,
     box: Sequence[Interval],
     max_displacement: Fraction | None,
+    unknowns: int,
 ) -> tuple[list[Interval], list[list[Interval]]]:
-    """Return the sum of all wrenches over a box, and its derivative, (n, n).
+    """Return the sum of all wrenches over a box, and its derivative, (n, unknowns).
+
+    Args:
+        unknowns: by which derivatives are taken: all, or 0.
 
     Raises:
         BrokenLaw: a condition does not hold all over the box.
     """
-    zeros = [Interval(0, 0)] * len(wrench)
+    zeros = [Interval(0, 0)] * unknowns
     sums = [Linear(interval(w), zeros) for w in wrench]
     for i, ((contact, rows, slopes), friction) in enumerate(
         zip(contacts, given.friction, strict=True)
     ):
-        moved = [Linear(product(row, box), row) for row in slopes]
+        moved = [Linear(product(row, box), row[:unknowns]) for row in slopes]
         if max_displacement is not None:
             most = interval(max_displacement).low
             if any(not -most <= x.value.low <= x.value.high <= most for x in moved):
@@ -226,7 +232,8 @@ def _balance(
             sums = [one.plus(force.by(x)) if x else one for one, x in zip(sums, row, strict=True)]
     for *motion, x in given.idle:
         slopes_of = _slopes(tuple(motion), given.basis)
-        turned = Linear(product(slopes_of, box), slopes_of).plus(Linear(interval(-x), zeros))
+        turned = Linear(product(slopes_of, box), slopes_of[:unknowns])
+        turned = turned.plus(Linear(interval(-x), zeros))
         sums = [one.plus(turned.by(x)) for one, x in zip(sums, motion, strict=True)]
     return [one.value for one in sums], [one.slopes for one in sums]
 
@@ -246,7 +253,7 @@ def _sticking(
         (k, j) for k, (pillar, j) in enumerate(given.pillars, len(given.basis)) if pillar == i
     ]
     for k, j in carried:
-        slopes = [interval(int(k == other)) for other in range(len(box))]
+        slopes = [interval(int(k == other)) for other in range(len(limit.slopes))]
         forces[j] = forces[j].plus(Linear(box[k], slopes))
     squares = total(force.value.square() for force in forces)
     if carried and squares.high > limit.value.square().low:

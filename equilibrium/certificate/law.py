@@ -87,8 +87,10 @@ def frame(contact: Contact) -> tuple[RationalVector, ...]:
 
 
 def _cross(left: RationalVector, right: RationalVector) -> RationalVector:
-    (a, b, c), (x, y, z) = left, right
-    return b * z - c * y, c * x - a * z, a * y - b * x
+    # In integers, see `_dot`.
+    ((a, b, c), unit), ((x, y, z), scale) = over_unit(left), over_unit(right)
+    size = unit * scale
+    return tuple(quotient(k, size) for k in (b * z - c * y, c * x - a * z, a * y - b * x))
 
 
 def law_problem(

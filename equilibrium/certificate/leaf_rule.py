@@ -214,7 +214,9 @@ class TreeQuestion:
         none = (0,) * (self.form.tangents + 1)
         for i, contact in enumerate(self.contacts):
             state, multipliers = states.get(i, "undecided"), leaf.multipliers.get(i)
-            springs, slips = [g.springs[i] for g in region], [g.slips[i] for g in region]
+            # Most trees have no regions, whose lists would take a tenth of the time.
+            springs = [g.springs[i] for g in region] if region else ()
+            slips = [g.slips[i] for g in region] if region else ()
             is_idle = state == "detached" or (
                 state == "undecided" and bool(springs) and all(e <= 0 for e in springs)
             )
@@ -237,7 +239,7 @@ class TreeQuestion:
                     return LeafWork(words, (), 1, ())
                 if multipliers:
                     terms.append((alpha * (self.unit // contact.spring_unit), contact.spring))
-                    terms += self._pushes(contact, (0, *h))
+                    terms += self._pushes(contact, (0, *h)) if any(h) else ()
                 continue
             kappa *= self.unit // (unit_of_kappa * contact.spring_unit)
             if state != "undecided" or all(e >= 0 for e in springs):

@@ -119,17 +119,22 @@ class SmoothLaw(NamedTuple):
         slip = (_flat(self.tangents) @ column).reshape(self.tangents.shape[:-1])
         return self.preload - self.spring @ column, *self.smooth(slip, eps)
 
-    def balance(self, motion: Floats, eps: Any) -> tuple[Floats, Floats]:
-        """Return the sum of all wrenches (..., n), and its derivative (..., n, n)."""
+    def balance(self, motion: Floats, eps: Any) -> tuple[Floats, Callable[[], Floats]]:
+        """Return the sum of all wrenches (..., n), and what returns its derivative (..., n, n)."""
         force, share, change = self.forces(motion, eps)
         soft = eps * self.hardness
         root = np.sqrt(force * force + soft * soft)
-        normal, touching = (force + root) / 2, (1 + force / root) / 2
+        normal = (force + root) / 2
         arms = (self.normal + (share[..., None, :] @ self.pulls)[..., 0, :]).swapaxes(-1, -2)
-        jacobian = arms @ (touching * self.spring)
-        turned = (normal[..., None] * change) @ self.tangents
-        jacobian += _flat(self.pulls).swapaxes(-1, -2) @ _flat(turned)
-        return self.load + (arms @ normal)[..., 0], -jacobian
+
+        def derivative() -> Floats:
+            touching = (1 + force / root) / 2
+            jacobian: Floats = arms @ (touching * self.spring)
+            turned = (normal[..., None] * change) @ self.tangents
+            jacobian += _flat(self.pulls).swapaxes(-1, -2) @ _flat(turned)
+            return -jacobian
+
+        return self.load + (arms @ normal)[..., 0], derivative
 
 
 def _flat(rows: Floats) -> Floats:
@@ -187,7 +192,8 @@ class Continuation:
 
     def _newton(self, motion: Floats, eps: float) -> tuple[Floats, float]:
         """Return a motion of less residual: Newton steps, damped where they fail."""
-        value, jacobian = self.law.balance(motion, eps)
+        value, derivative = self.law.balance(motion, eps)
+        jacobian = derivative()
         residual, damping = _length(value), 0.0
         step_of: Callable[[Floats, float], Floats] | None = None
         for _ in range(_MAX_NEWTON_STEPS):
@@ -196,12 +202,12 @@ class Continuation:
             # Where a step fails only the damping changes.
             step_of = step_of or _steps(jacobian * self.scale)
             step = self.scale * step_of(value, damping)
-            tried_value, tried_jacobian = self.law.balance(motion + step, eps)
+            tried_value, derivative = self.law.balance(motion + step, eps)
             tried = _length(tried_value)
             if tried < residual:
                 stalled = tried > 0.999 * residual
                 motion = motion + step
-                value, jacobian, residual, step_of = tried_value, tried_jacobian, tried, None
+                value, jacobian, residual, step_of = tried_value, derivative(), tried, None
                 damping /= 30
                 if stalled:
                     break

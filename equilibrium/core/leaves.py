@@ -296,14 +296,18 @@ def cancelled(columns: Sequence[IntegerVector], values: list[int], n: int) -> tu
         end, pivots = len(rows[0]) - 1, list[int]()
         for k in range(rank):
             first = pivots[-1] + 1 if pivots else 0
-            pivots.append(next(j for j in range(first, end + 1) if reduced[k, j] != 0))
+            while reduced[k, first] == 0:
+                first += 1
+            pivots.append(first)
         if end in pivots:
             continue
         size, sign = abs(int(scale)), 1 if scale > 0 else -1
         changed = [size * value for value in values]
         free = [j for j in range(end) if j not in pivots]
         for k, pivot in enumerate(pivots):
-            moved = reduced[k, end] + sum(reduced[k, j] * values[j] for j in free)
+            moved = reduced[k, end]
+            for j in free:
+                moved += reduced[k, j] * values[j]
             changed[pivot] = -sign * int(moved)
         return changed, size
     raise AssertionError("nothing is left over where all columns are in use")

@@ -20,6 +20,7 @@ from equilibrium.model.solution import Leaf
 
 from .cones import Node, OpenSplit
 from .leaves import Leaves
+from .relaxation import Programs
 
 #: Leaves that are kept by their states, and for parts that none was found in.
 _MAX_LEAVES = 20_000
@@ -135,9 +136,14 @@ class _Known:
 
 
 class Memory:
-    """Splits and leaves of trees that were closed, by the states of their nodes."""
+    """Splits and leaves of trees that were closed, by the states of their nodes.
+
+    Attributes:
+        programs: of the grasp, once there are some.
+    """
 
     def __init__(self) -> None:
+        self.programs: Programs | None = None
         self._splits: dict[Node, OpenSplit] = {}
         self._leaves: dict[Node, Leaf] = {}
         self._known: _Known | None = None

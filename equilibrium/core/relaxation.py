@@ -17,6 +17,7 @@ a leaf. Otherwise its solution says which contact to split.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from copy import copy
 from fractions import Fraction
 from functools import cache, lru_cache
 from itertools import accumulate
@@ -47,6 +48,8 @@ _LIFT_WEIGHT = 3.0
 _MAX_GRASP = 6
 #: Programs of unlike shapes that are kept to be changed in place, each of some 100 kB.
 _MAX_LAYOUTS = 256
+#: Rows of contacts in states that are kept, each of some 3 kB.
+_MAX_BLOCKS = 4096
 _CLARABEL_CONES = {
     "zero": clarabel.ZeroConeT,
     "plus": clarabel.NonnegativeConeT,
@@ -155,7 +158,7 @@ class _ConeLayout:
         solver: of the last one, to be changed in place.
     """
 
-    def __init__(self, n: int, shapes: Sequence[_ConeShape]) -> None:
+    def __init__(self, n: int, *shapes: _ConeShape) -> None:
         self.starts = list(accumulate((shape.size for shape in shapes), initial=n))
         places = list(zip(shapes, self.starts, strict=False))
         felt = [(j, k + start) for shape, start in places for j in shape.arms for k in shape.rows]
@@ -174,6 +177,9 @@ class _ConeLayout:
         costs = (shape.cost * (j == 0) for shape in shapes for j in range(len(shape.columns)))
         self.cost = np.array([*[0.0] * n, *costs])
         self.solver: Any = None
+
+
+_cone_layout = lru_cache(_MAX_LAYOUTS)(_ConeLayout)
 
 
 class _ConeProgram(NamedTuple):
@@ -196,6 +202,95 @@ class _ConeProgram(NamedTuple):
         return zip(self.order, self.blocks, starts, starts[1:], strict=False)
 
 
+class Programs:
+    """The rows and layouts of the programs of one grasp, which loads share.
+
+    Attributes:
+        shapes: of blocks, by their numbers.
+        block: the rows of a contact in a state, by the units of stiffness and preload and the
+            largest displacement.
+        layout: of a program, by the numbers of its shapes, and the time limit of its solver.
+    """
+
+    def __init__(self, contacts: FloatContacts, cones: Cones) -> None:
+        c, arms = contacts, contacts.arms(1 / contacts.length)
+        self._cones, self._n, self._frame = cones, c.rows.n, 1 + c.rows.tangents
+        self._frames = np.concatenate([c.normal[:, None], c.tangents], axis=1) * arms
+        self._stiffness, self._preload, self._friction = c.stiffness, c.preload, c.friction
+        self.shapes: list[_ConeShape] = []
+        self._numbers: dict[_ConeShape, int] = {}
+        self.block = lru_cache(_MAX_BLOCKS)(self._new_block)
+        self.layout = lru_cache(_MAX_LAYOUTS)(self._new_layout)
+
+    def _number_of(self, shape: _ConeShape) -> int:
+        if shape not in self._numbers:
+            self._numbers[shape] = len(self.shapes)
+            self.shapes.append(shape)
+        return self._numbers[shape]
+
+    def _new_block(
+        self, i: int, state: State, hardness: float, pressure: float, most: float
+    ) -> _Block:
+        # Of each row: motion, force, end; alpha, h, displacements of a leaf; its room.
+        n, f = self._n, self._frame
+        end, alpha, pins = n + f, n + f + 1, n + 2 * f + 1
+        width = n + 3 * f + 2
+        cones: list[tuple[str, Floats]] = []
+        frame, friction = self._frames[i], self._friction[i]
+        if state != "loose" and most < np.inf:
+            rows = np.zeros((2 * f, width))
+            rows[:f, :n], rows[f:, :n], rows[:, end] = frame, -frame, most
+            rows[:f, pins:-1], rows[f:, pins:-1] = np.eye(f), -np.eye(f)
+            cones.append(("plus", rows))
+        if state != "loose":
+            row = np.zeros((1, width))
+            row[0, :n] = -hardness * self._stiffness[i] * frame[0]
+            preload = pressure * self._preload[i]
+            row[0, [n, end, alpha]] = -float(state != "detached"), -preload, 1.0
+            cones.append(("plus" if state in ("undecided", "detached") else "zero", row))
+        if state != "detached":
+            for kind, slips, forces in self._cones.conditions(friction, state):
+                rows = np.zeros((len(slips), width))
+                rows[:, :n], rows[:, n:end] = slips @ frame[1:], forces
+                rows[:, alpha + 1 : pins] = slips
+                cones.append((kind, rows))
+            cones[-1][1][: 1 if cones[-1][0] == "round" else None, -1] = 1.0
+        table = np.concatenate([rows for _, rows in cones])
+        ends = np.array(self._cones.ends(state), dtype=float).reshape(-1, f - 1)
+        felt = np.flatnonzero(table[:, :n].any(axis=1))
+        # A contact without friction has no unknown but its normal force.
+        count = 0 if state == "detached" else f if friction else 1
+        columns = np.concatenate([-frame[:count], table[:, n : n + count].T], axis=1)
+        # Zeros of balance are kept, with which the shapes of all contacts are alike; but a contact
+        # of many bodies acts on two of them.
+        acts = (frame != 0).any(axis=0) | (n <= _MAX_GRASP)
+        kept = np.append(acts, np.zeros(columns.shape[1] - n, dtype=bool))
+        column, place = np.nonzero((columns != 0) | kept)
+        shape = _ConeShape(
+            len(table),
+            tuple(felt.tolist()),
+            tuple(np.flatnonzero(acts).tolist()),
+            tuple((place - n * (place >= n)).tolist()),
+            tuple((place >= n).tolist()),
+            tuple(np.bincount(column, minlength=count).tolist()),
+            tuple((kind, len(rows)) for kind, rows in cones),
+            float(state in ("undecided", "loose")),
+        )
+        return _Block(
+            self._number_of(shape),
+            table[felt, :n][:, acts].T.ravel(),
+            columns[column, place],
+            table[:, end],
+            table[:, alpha:-1].T,
+            table[:, -1],
+            ends / lengths(ends)[:, None],
+        )
+
+    def _new_layout(self, shapes: tuple[int, ...], _: float) -> _ConeLayout:
+        # Questions share what has no numbers.
+        return copy(_cone_layout(self._n, *[self.shapes[k] for k in shapes]))
+
+
 class Relaxation:
     """All relaxations of one question, in scaled units.
 
@@ -211,13 +306,15 @@ class Relaxation:
         wrench: RationalVector,
         cones: Cones,
         max_displacement: Fraction | None = None,
+        programs: Programs | None = None,
     ) -> None:
         c, smooth = contacts, Continuation(contacts, wrench, cones)
         self.contacts, self.m, self.cones = c, len(c.rows), cones
         self.n, self.frame = c.rows.n, 1 + c.rows.tangents
         self.arms = c.arms(1 / c.length)
         self.smooth = smooth
-        self.force, self.step = smooth.size or 1.0, float(smooth.scale[0])
+        # Powers of two, so that loads of like sizes have the same rows.
+        self.force, self.step = np.exp2(np.rint(np.log2([smooth.size or 1.0, smooth.scale[0]])))
         self.scale = self.step * self.arms
         self.load = smooth.load * self.arms / self.force
         self.normal, self.tangents = c.normal * self.arms, c.tangents * self.arms
@@ -233,76 +330,17 @@ class Relaxation:
         spread = self.stiffness.max(initial=0.0) / self.stiffness.min(initial=np.inf)
         uneven = max(spread, c.friction.max(initial=0.0)) > _EVEN_RATIO
         self.settings.iterative_refinement_enable = bool(uneven)
-        self._block = cache(self._new_block)
-        self._shapes: dict[_ConeShape, int] = {}
-        self._layout = lru_cache(_MAX_LAYOUTS)(self._new_layout)
-
-    def _new_block(self, i: int, state: State) -> _Block:
-        # Of each row: motion, force, end; alpha, h, displacements of a leaf; its room.
-        n, f = self.n, self.frame
-        end, alpha, pins = n + f, n + f + 1, n + 2 * f + 1
-        width = n + 3 * f + 2
-        cones: list[tuple[str, Floats]] = []
-        if state != "loose" and self.most < np.inf:
-            frame = np.array([self.normal[i], *self.tangents[i]])
-            rows = np.zeros((2 * f, width))
-            rows[:f, :n], rows[f:, :n], rows[:, end] = frame, -frame, self.most
-            rows[:f, pins:-1], rows[f:, pins:-1] = np.eye(f), -np.eye(f)
-            cones.append(("plus", rows))
-        if state != "loose":
-            row = np.zeros((1, width))
-            row[0, :n] = -self.stiffness[i] * self.normal[i]
-            row[0, [n, end, alpha]] = -float(state != "detached"), -self.preload[i], 1.0
-            cones.append(("plus" if state in ("undecided", "detached") else "zero", row))
-        if state != "detached":
-            for kind, slips, forces in self.cones.conditions(self.friction[i], state):
-                rows = np.zeros((len(slips), width))
-                rows[:, :n], rows[:, n:end] = slips @ self.tangents[i], forces
-                rows[:, alpha + 1 : pins] = slips
-                cones.append((kind, rows))
-            cones[-1][1][: 1 if cones[-1][0] == "round" else None, -1] = 1.0
-        table = np.concatenate([rows for _, rows in cones])
-        ends = np.array(self.cones.ends(state), dtype=float).reshape(-1, f - 1)
-        felt = np.flatnonzero(table[:, :n].any(axis=1))
-        # A contact without friction has no unknown but its normal force.
-        count = 0 if state == "detached" else f if self.friction[i] else 1
-        along = np.array([self.normal[i], *self.tangents[i]])[:count]
-        columns = np.concatenate([-along, table[:, n : n + count].T], axis=1)
-        # Zeros of balance are kept, with which the shapes of all contacts are alike; but a contact
-        # of many bodies acts on two of them.
-        frame = np.array([self.normal[i], *self.tangents[i]])
-        acts = (frame != 0).any(axis=0) | (n <= _MAX_GRASP)
-        kept = np.append(acts, np.zeros(columns.shape[1] - n, dtype=bool))
-        column, place = np.nonzero((columns != 0) | kept)
-        shape = _ConeShape(
-            len(table),
-            tuple(felt.tolist()),
-            tuple(np.flatnonzero(acts).tolist()),
-            tuple((place - n * (place >= n)).tolist()),
-            tuple((place >= n).tolist()),
-            tuple(np.bincount(column, minlength=count).tolist()),
-            tuple((kind, len(rows)) for kind, rows in cones),
-            float(state in ("undecided", "loose")),
-        )
-        return _Block(
-            self._shapes.setdefault(shape, len(self._shapes)),
-            table[felt, :n][:, acts].T.ravel(),
-            columns[column, place],
-            table[:, end],
-            table[:, alpha:-1].T,
-            table[:, -1],
-            ends / lengths(ends)[:, None],
-        )
-
-    def _new_layout(self, shapes: tuple[int, ...]) -> _ConeLayout:
-        every = list(self._shapes)
-        return _ConeLayout(self.n, [every[k] for k in shapes])
+        self._programs = programs or Programs(c, cones)
+        pressure = 1 / self.force if c.preload.any() else 0.0
+        self._units = float(self.step / self.force), float(pressure), float(self.most)
 
     def _program(self, states: Sequence[State]) -> _ConeProgram:
-        every = list(map(self._block, range(self.m), states))
+        block, units = self._programs.block, self._units
+        every = [block(i, state, *units) for i, state in enumerate(states)]
         order = sorted(range(self.m), key=lambda i: every[i].shape)
         blocks = [every[i] for i in order]
-        layout = self._layout(tuple(block.shape for block in blocks))
+        shapes = tuple([block.shape for block in blocks])
+        layout = self._programs.layout(shapes, self.settings.time_limit)
         motion = np.concatenate([block.motion for block in blocks] or [np.zeros(0)])
         data = np.concatenate([motion[layout.order], *(block.data for block in blocks)])
         right = np.concatenate([self.load, *(block.right for block in blocks)])
@@ -349,7 +387,7 @@ class Relaxation:
     def _point(self, program: _ConeProgram, found: Floats) -> Point:
         """Return the motion, and all forces of each contact, of the unknowns."""
         forces, j = np.zeros((self.m, self.frame)), self.n
-        shapes = list(self._shapes)
+        shapes = self._programs.shapes
         for i, block in zip(program.order, program.blocks, strict=True):
             count = len(shapes[block.shape].columns)
             forces[i, :count] = found[j : j + count]
@@ -369,11 +407,14 @@ class Relaxation:
                 state = states[i]
                 most[i] = self.cones.largest(state, across[i].tolist())
                 room[i, 1:f] = min((-block.ends @ multipliers[i, 1:f]).tolist())
-        slack, alpha = along - multipliers[:, 0] - self.friction * most, multipliers[:, 0]
-        kinds = np.array([state if isinstance(state, str) else "" for state in states])
-        room[:, 0] = np.where(kinds == "undecided", np.minimum(alpha, slack), slack)
-        room[:, 0] = np.where(kinds == "detached", alpha, room[:, 0])
-        room[kinds == "stick", 1:f] = np.inf
+        alphas = multipliers[:, 0].tolist()
+        slacks = (along - multipliers[:, 0] - self.friction * most).tolist()
+        for i, (state, alpha, slack) in enumerate(zip(states, alphas, slacks, strict=True)):
+            room[i, 0] = alpha if state == "detached" else slack
+            if state == "undecided":
+                room[i, 0] = min(alpha, slack)
+            elif state == "stick":
+                room[i, 1:f] = np.inf
         room[:, f:] = np.inf
         sizes = np.abs(multipliers) / max(float(np.abs(virtual).max()), 1e-300)
         units = np.array([1.0, *[self.force / self.step] * (2 * f - 1)])

@@ -27,7 +27,7 @@ from .cones import NARROW_SINE, Cones, Node, OpenSplit, RoundCones, finished, sp
 from .equilibria import EquilibriumSearch
 from .leaves import Leaves
 from .memory import Memory, OpenTree
-from .relaxation import Point, Ray, Relaxation
+from .relaxation import Point, Programs, Ray, Relaxation
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,10 @@ class SpatialSearch:
         self.max_displacement, self.cones = max_displacement, cones or RoundCones()
         self.memory = memory or Memory()
         self.root: Node = ("undecided",) * len(contacts.rows)
-        self.relaxation = Relaxation(contacts, wrench, self.cones, max_displacement)
+        self.memory.programs = self.memory.programs or Programs(contacts, self.cones)
+        self.relaxation = Relaxation(
+            contacts, wrench, self.cones, max_displacement, self.memory.programs
+        )
         self.leaves = Leaves(contacts, wrench, self.cones, max_displacement)
         if self.effort.seconds is not None:
             self.relaxation.settings.time_limit = max(0.01, self.effort.remaining)

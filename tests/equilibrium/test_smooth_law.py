@@ -41,12 +41,12 @@ def test_derivative_of_the_balance_equals_differences(kind, cones):
     for seed in range(20):
         law, _, motion = law_of(kind, cones, seed)
         for eps in (1.0, 0.1):
-            _, jacobian = law.balance(motion, eps)
+            _, derivative = law.balance(motion, eps)
             steps = 1e-6 * np.eye(len(motion))
             ends = [
                 law.balance(motion + s, eps)[0] - law.balance(motion - s, eps)[0] for s in steps
             ]
-            assert pytest.approx(jacobian, rel=1e-5, abs=1e-5) == np.array(ends).T / 2e-6
+            assert pytest.approx(derivative(), rel=1e-5, abs=1e-5) == np.array(ends).T / 2e-6
 
 
 @pytest.mark.parametrize(("kind", "cones"), [KINDS[0], KINDS[2]])
@@ -58,11 +58,11 @@ def test_many_questions_at_once_equal_each_alone(kind, cones):
         laws[0].smooth, *map(np.array, zip(*(law[1:] for law in laws), strict=True))
     )
     kept = np.arange(0, len(laws), 2)
-    many = together.take(kept).balance(motions[kept], widths[kept, None, None])
-    for k, value, jacobian in zip(kept, *many, strict=True):
-        alone = laws[k].balance(motions[k], widths[k])
-        assert value == pytest.approx(alone[0], rel=1e-12, abs=1e-12)
-        assert jacobian == pytest.approx(alone[1], rel=1e-12, abs=1e-12 / widths[k])
+    values, derivatives = together.take(kept).balance(motions[kept], widths[kept, None, None])
+    for k, value, jacobian in zip(kept, values, derivatives(), strict=True):
+        alone, derivative = laws[k].balance(motions[k], widths[k])
+        assert value == pytest.approx(alone, rel=1e-12, abs=1e-12)
+        assert jacobian == pytest.approx(derivative(), rel=1e-12, abs=1e-12 / widths[k])
 
 
 @pytest.mark.parametrize(("kind", "cones"), KINDS)

@@ -584,10 +584,10 @@ def test_a_spring_that_may_be_wrong_by_one_unit_is_refused(state, up, words):
     zero, row = Interval(0, 0), (F(0),) * 6
     given = Enclosure((plus(UP),), (state,), (), row, row, ())
     felt = felt_by(Grasp(table((0, 0), preload=0)), given.basis)
-    _balance(felt, row, given, [zero] * 6, None)
+    _balance(felt, row, given, [zero] * 6, None, 6)
     box = [Interval(*up), *[zero] * 5]
     with pytest.raises(BrokenLaw, match=words):
-        _balance(felt, row, given, box, None)
+        _balance(felt, row, given, box, None, 6)
 
 
 def test_intervals_contain_exact_results_tightly():

@@ -79,7 +79,8 @@ def _newton(law: SmoothLaw, motion: Floats, eps: Floats) -> tuple[Floats, Floats
     """Return motions of less residual, and that: Newton steps, damped where they fail."""
     motion, smallest = motion.copy(), np.full(len(motion), np.inf)
     rows, at, damping = np.arange(len(motion)), motion, np.full(len(motion), 1e-14)
-    value, jacobian = law.balance(at, eps)
+    value, derivative = law.balance(at, eps)
+    jacobian = derivative()
     residual = smallest = np.linalg.norm(value, axis=1)
     for _ in range(_MAX_NEWTON_STEPS):
         turned = jacobian.transpose(0, 2, 1)
@@ -87,11 +88,11 @@ def _newton(law: SmoothLaw, motion: Floats, eps: Floats) -> tuple[Floats, Floats
         size = np.trace(square, axis1=1, axis2=2) + 1e-300
         square += (damping * size)[:, None, None] * np.eye(motion.shape[1])
         moved = at - _solved(square, along(turned, value))
-        tried, tried_jacobian = law.balance(moved, eps)
+        tried, derivative = law.balance(moved, eps)
         left = np.linalg.norm(tried, axis=1)
         better = left < residual
         at, value = np.where(better[:, None], moved, at), np.where(better[:, None], tried, value)
-        jacobian = np.where(better[:, None, None], tried_jacobian, jacobian)
+        jacobian = np.where(better[:, None, None], derivative(), jacobian)
         stalled = better & (left > 0.999 * residual) | ~better & (damping > 1e3)
         residual = np.where(better, left, residual)
         damping = np.where(better, damping / 30, np.maximum(30 * damping, 1e-10))
