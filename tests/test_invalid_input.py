@@ -353,7 +353,7 @@ TRIED = [
     ("[x for x in f_vector] == m", "is not in the language"),
     ("f'{m}' == m", "is not in the language"),
     ("f_vector[0:2] == m", "is not in the language"),
-    ("max(m, key=len) == 1", "is not in the language"),
+    ("max(m, key=len) == 1", "'key' is not a quantity"),
     ("True", "is not in the language"),
     ("1.5 > m", "is not in the language"),
     ("p_vectr > 3", "did you mean p_vector"),
