@@ -7,6 +7,7 @@ import re
 from importlib import import_module
 from importlib.resources import files
 from pathlib import Path
+from typing import ClassVar
 
 import pytest
 
@@ -14,9 +15,20 @@ import arrangement
 import equilibrium
 import proofs_check
 from arrangement import Arrangement, Segments, counts, families, read_arrangement, synonyms
+from arrangement.errors import HintsMixin
 from arrangement.library.families import FAMILIES
 from equilibrium import Contact, Grasp, ResistedSet, read_grasp, solve
 from equilibrium.model.synonyms import NAMES, STATICS
+
+
+class Painted(HintsMixin):
+    """A value that takes a synonym as an argument of its own, and fails for another reason."""
+
+    _synonyms: ClassVar = {"color": "colour"}
+
+    def __init__(self, color):
+        raise TypeError(f"{color} is not painted")
+
 
 LINES = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
 
@@ -168,3 +180,10 @@ def test_words_of_statics_are_answered(value):
                 getattr(value, word)
             hint = str(error.value).partition("; use ")[2]
             assert name.endswith(hint or "nothing")
+
+
+def test_other_errors_of_types_stay():
+    with pytest.raises(TypeError, match="red is not painted"):
+        Painted(color="red")
+    with pytest.raises(TypeError, match="unexpected keyword argument 'size'"):
+        Painted(size=1)
