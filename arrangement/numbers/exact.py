@@ -71,10 +71,6 @@ def rational(value: Rational, name: str = "number") -> Fraction:
             + budget.by_caller(", or convert on purpose with arrangement.from_floats", "")
         )
     numerator, denominator = (getattr(value, k, None) for k in ("numerator", "denominator"))
-    if (
-        value is not None and numerator is value
-    ):  # a function of a letter, see `arrangement.numbers.functions`
-        return value  # type: ignore[return-value]
     if isinstance(numerator, int) and isinstance(denominator, int):  # sympy's PythonMPQ
         return Fraction(numerator, denominator)
     if hasattr(value, "p") and hasattr(value, "q"):  # python-flint's fmpq
@@ -82,6 +78,8 @@ def rational(value: Rational, name: str = "number") -> Fraction:
     # Arrays, which have lengths, are not numbers.
     if hasattr(value, "__index__") and not hasattr(value, "__len__"):  # fmpz, mpz
         return Fraction(value.__index__())
+    if value is not None and numerator is value:  # see `arrangement.numbers.functions`
+        return value  # type: ignore[return-value]
     remedy = budget.by_caller("an integer, a Fraction, a sympy Rational", "an integer")
     kind = type(value).__name__
     what = budget.by_caller(f"{shown(value)} of type {kind}", "not a number")

@@ -127,8 +127,9 @@ def read_with_rest(
 
 def _text_of(source: str | os.PathLike[str]) -> tuple[str, str]:
     """Return a text and its name for messages: that of a file, or equations in its place."""
-    typed = Path(source).suffix.lower() not in _BY_ENDING and not os.path.lexists(source)
-    if isinstance(source, str) and "=" in source and typed:
+    if not isinstance(source, str) or "=" not in source or os.path.lexists(source):
+        return read_text(source)
+    if Path(source).suffix.lower() not in _BY_ENDING:
         return source.replace(",", ";"), shown(source)
     return read_text(source)
 
