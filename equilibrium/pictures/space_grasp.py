@@ -68,8 +68,8 @@ from .style import (
 
 #: Lengths, where body and contacts fill [-1, 1]: cones, the largest force, slip and motion.
 CONE, FORCE, MOVED = 0.3, 0.6, 0.3
-#: Sides of a cone.
-_SIDES = 16
+#: Sides of a cone; at a smaller angle it is drawn as a line, in radians.
+_SIDES, _THIN = 16, 1e-4
 #: An axis farther than this from the middle is not drawn.
 FAR = 1.8
 #: Radius of the helix of a motion, and most turns of it.
@@ -275,14 +275,14 @@ class SolidGrasp:
 
     @property
     def cones(self) -> Iterator[tuple[int, Floats, Floats]]:
-        """Yield number, apex and rim of each friction cone; without friction the rim is a point."""
+        """Yield number, apex and rim of each friction cone; of one too thin the rim is a point."""
         for i, (c, p, n) in enumerate(zip(self.grasp, self.places, self.normals, strict=True), 1):
             angle = math.atan(float(c.friction))
             across, other = (np.array([float(x) for x in t]) for t in c.tangents)
             turns = np.linspace(0, 2 * math.pi, _SIDES, endpoint=False)[:, None]
             ring = np.cos(turns) * across + np.sin(turns) * other
             rim = p + CONE * (math.cos(angle) * n + math.sin(angle) * ring)
-            yield i, p, rim if c.friction else rim[:1]
+            yield i, p, rim if angle > _THIN else rim[:1]
 
     def patches(self, towards: Floats | None = None) -> list[Patch]:
         """Return all pieces.

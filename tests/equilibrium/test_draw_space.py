@@ -221,6 +221,11 @@ def test_a_body_that_is_open_or_inside_out_is_drawn_too():
     assert b"body" not in grasp_model(opened, ".glb")
 
 
+def test_model_has_no_cones_thinner_than_it_resolves():
+    ball = read_grasp("three-fingers-on-a-ball").with_friction("1e-320")
+    assert grasp_model(ball, ".stl") == grasp_model(ball.with_friction(0), ".stl")
+
+
 def test_degenerate_grasps_are_drawn():
     one = Contact((0, 0, 0), (0, 0, 1), 0)
     for contacts in ([one], [one, one], [one, Contact((10**30, 0, 0), (0, 1, 0), 1, preload=1)]):
