@@ -139,6 +139,17 @@ def test_classes_answer_as_their_values_do(kind):
                 getattr(kind, word)
 
 
+def test_import_of_another_name_is_answered():
+    with pytest.raises(ImportError, match=r"'diagonals'; use families\.diagonals$"):
+        from arrangement import diagonals  # noqa: F401
+    with pytest.raises(ImportError, match=r"'read_csv'; use read_grasp\(path\)$"):
+        from equilibrium import read_csv  # noqa: F401
+    from arrangement import cli
+
+    assert cli.__name__ == "arrangement.cli"
+    assert not hasattr(arrangement, "diagonals")
+
+
 def test_another_word_for_an_argument_is_answered():
     with pytest.raises(TypeError, match="Contact has no argument mu; use friction"):
         Contact([0, 0], [0, 1], mu="1/2")

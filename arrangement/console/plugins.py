@@ -10,6 +10,7 @@ import sys
 from collections.abc import Callable, Mapping
 from importlib import import_module
 from importlib.util import find_spec
+from opcode import opname
 from typing import Any
 
 from arrangement.errors import missing_attribute
@@ -83,9 +84,13 @@ def lazy_names(
     def get(name: str) -> Any:
         if name in known:
             return get_known(name)
-        if name == "__all__" and sys._getframe(1).f_globals.get("__name__") != "pydoc":
+        caller = sys._getframe(1)
+        if name == "__all__" and caller.f_globals.get("__name__") != "pydoc":
             return names()
-        raise missing_attribute(sys.modules[package], name, synonyms or {})
+        error = missing_attribute(sys.modules[package], name, synonyms or {})
+        if opname[caller.f_code.co_code[caller.f_lasti]] == "IMPORT_FROM":
+            raise ImportError(str(error), name=package)  # Python would leave out the hint
+        raise error
 
     return get, names
 
