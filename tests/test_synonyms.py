@@ -14,7 +14,7 @@ import pytest
 import arrangement
 import equilibrium
 import proofs_check
-from arrangement import Arrangement, Segments, counts, families, read_arrangement, synonyms
+from arrangement import Arrangement, Segments, families, synonyms
 from arrangement.errors import HintsMixin
 from arrangement.library.families import FAMILIES
 from equilibrium import Contact, Grasp, ResistedSet, read_grasp, solve
@@ -51,14 +51,12 @@ def test_names_for_arrangements_run(program, planes, tmp_path):
     names = {
         "A": planes,
         "B": planes[:1],
-        "counts": counts,
-        "families": families,
+        "arrangement": arrangement,
         "i": 1,
         "normal": [1] * planes.dimension,
         "offset": 0,
         "point": regions[0].witness,
         "r": regions[0],
-        "read_arrangement": read_arrangement,
         "s": regions[1],
     }
     for word, name in synonyms.ARRANGEMENT[program].items():
@@ -71,7 +69,8 @@ def test_names_for_arrangements_run(program, planes, tmp_path):
 
 
 def test_families_are_named_by_the_package():
-    named = {name for name, use in synonyms.PACKAGE.items() if use == f"families.{name}"}
+    used = synonyms.PACKAGE.items()
+    named = {name for name, use in used if use == f"arrangement.families.{name}"}
     assert named == {name.replace("-", "_") for name in FAMILIES}
 
 
@@ -112,8 +111,7 @@ VALUES = {
 )
 def test_names_of_segments_and_packages_run(owner, table, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
-    for module in ("equilibrium.methods", "equilibrium.plane.states.contact_states"):
-        import_module(module)
+    import_module("equilibrium.plane.states.contact_states")
     import_module("proofs_check.own_claims.extreme")
     import_module("proofs_check.own_claims.one_line")
     monkeypatch.chdir(tmp_path)
@@ -128,7 +126,8 @@ def test_names_of_segments_and_packages_run(owner, table, tmp_path, monkeypatch)
             getattr(owner, word)
         assert str(error.value).endswith(f"; use {use}")
         path = "arch.json" if "assembly(path" in use else path
-        run(use.replace("[...]", "None"), **names, path=path, **sources, equilibrium=equilibrium)
+        packages = {"arrangement": arrangement, "equilibrium": equilibrium}
+        run(use.replace("[...]", "None"), **names | packages, path=path, **sources)
 
 
 @pytest.mark.parametrize("kind", [Arrangement, Grasp, Contact])
@@ -140,7 +139,7 @@ def test_classes_answer_as_their_values_do(kind):
 
 
 def test_import_of_another_name_is_answered():
-    with pytest.raises(ImportError, match=r"'diagonals'; use families\.diagonals$"):
+    with pytest.raises(ImportError, match=r"'diagonals'; use arrangement\.families\.diagonals$"):
         from arrangement import diagonals  # noqa: F401
     with pytest.raises(ImportError, match=r"'read_csv'; use read_grasp\(path\)$"):
         from equilibrium import read_csv  # noqa: F401
