@@ -22,8 +22,9 @@ from arrangement.numbers.exact import RationalVector, rational, shown, sum_text,
 _EQUATION = re.compile(r"(?=.*[A-Za-z])[\w\s.+*/-]+=[\w\s.+*/-]+")
 #: The name of a coordinate in a form without an equality sign; other words may be anything.
 _COORDINATE = re.compile(r"[A-Za-z](?:_?[0-9]+)?", re.ASCII)
-#: A number such as 1e5, which is not a number times a coordinate e5.
-_DECIMAL_POWER = re.compile(r"[0-9][eE][0-9]")
+#: A number such as 1e5 or 1e-5, which is not a number times a coordinate e5, or e minus 5.
+_DECIMAL_POWER = re.compile(r"(?<![\w.])[0-9]+(?:\.[0-9]+)?[eE][+-]?[0-9]+")
+_NOT_FINITE = re.compile(r"\b(?:nan|inf|infinity)\b", re.IGNORECASE)
 _NUMBER = r"[0-9]+(?:\.[0-9]+)?(?:/[0-9]+)?"
 #: A sign; a number, in parentheses perhaps; a name; and what that is divided by.
 _TERM = re.compile(
@@ -68,6 +69,13 @@ def planes_of_text(
                 f"{shown(line)} is not a linear form in coordinates such as x or x1; write such as "
                 f"{_EXAMPLE}"
             )
+        if power := _DECIMAL_POWER.search(line):
+            raise InputError(
+                f"the equation {shown(line)} has {power[0]}, a number or a coordinate; write the "
+                "number without e, or a * before the coordinate"
+            )
+        if word := _NOT_FINITE.search(line):
+            raise InputError(f"the equation {shown(line)} has {word[0]}; numbers are finite")
         left, _, right = line.partition("=")
         row: Counter[str] = Counter()
         for sign, side in ((1, left), (-1, right if "=" in line else "0")):

@@ -79,10 +79,13 @@ class ParametricQuestion:
         if not isinstance(self.letter, str) or not _LETTER.fullmatch(self.letter):
             raise GraspError(f"the parameter is {shown(self.letter)}; expected one letter, as t")
         for i, entry in enumerate(check_list(self.document.get("contacts"), "contacts")):
+            place = f"contacts[{i}]"
+            direction = "angle" if "angle" in check_keys(entry, (), entry, place) else "normal"
             if {"angle", "normal"} <= set(entry):
-                raise GraspError(f"contacts[{i}] has an angle and a normal; keep one")
-            direction = "angle" if "angle" in entry else "normal"
-            check_keys(entry, ("point", direction, "friction"), entry, f"contacts[{i}]")
+                raise GraspError(f"{place} has an angle and a normal; keep one")
+            check_keys(entry, ("point", direction, "friction"), entry, place)
+            if direction == "normal":
+                check_list(entry["normal"], f"{place}.normal", 2)
         if not any(x.has_letter for x in self._expressions):
             raise GraspError(f"the letter {self.letter} stands nowhere in the question")
 
@@ -236,6 +239,8 @@ class ParametricQuestion:
         return zero, zero - weight, zero - weight * x
 
     def _value(self, expression: Expression, value: Any, name: str) -> Any:
+        if not isinstance(expression, Expression):
+            raise GraspError(f'{name} is no number or expression; write such as "2*t"')
         try:
             return expression.value(value, _turn(value) if self.is_angle else None)
         except (ZeroDivisionError, Undecided):

@@ -42,6 +42,8 @@ def run_extreme(arguments: argparse.Namespace) -> int:
         terminal.print_json(
             {"quantity": arguments.quantity, "of": arguments.of, "extreme": what, "values": records}
         )
+    elif not records:
+        print(f"no class of {arguments.of} obeys: {arguments.when}")
     return terminal.YES if records else terminal.NO
 
 

@@ -432,7 +432,7 @@ def test_equations_are_read_and_come_back(text, rows, tmp_path):
 @pytest.mark.parametrize(
     "text", ["x*y = 1", "x = = 2", "2 = 3", "x^2 = 1", "2x+ = 1", "sin(x) = 0", "= x", "2*3*x = 1",
              "x = x", "x + -y = 1", "1/0 x = 1", "2* = x", "x y = 5", "__import__('os') = x",
-             "word"],
+             "word", "x = 1e3", "x = 1e-3", "2E4y = x", "y = nan", "x = -Inf"],
 )  # fmt: skip
 def test_what_is_no_linear_equation_is_refused(text, tmp_path):
     path = tmp_path / "a.eqn"

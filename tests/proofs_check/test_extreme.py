@@ -84,6 +84,7 @@ def test_command_prints_and_saves_examples(tmp_path, capsys):
 def test_command_reports_that_no_class_is_left(capsys):
     words = ["extreme", "regions", "--of", "lines", "--classes", "3", "--when", "regions > 9"]
     assert main(words) == 1
+    assert capsys.readouterr().out == "no class of lines obeys: regions > 9\n"
     assert main(["extreme", "regions", "--of", "lines", "--classes", "3..10"]) == 2
     assert capsys.readouterr().out == ""
 
