@@ -68,7 +68,9 @@ def rational(value: Rational, name: str = "number") -> Fraction:
         raise InputError(
             f"{name} is the float {shown(value)}, expected an exact number; write a string "
             'such as "7/3" or "-0.25"'
-            + budget.by_caller(", or convert on purpose with arrangement.from_floats", "")
+            + budget.by_caller(
+                ", or convert on purpose, each array by itself: arrangement.from_floats(values)", ""
+            )
         )
     numerator, denominator = (getattr(value, k, None) for k in ("numerator", "denominator"))
     if isinstance(numerator, int) and isinstance(denominator, int):  # sympy's PythonMPQ
@@ -149,7 +151,7 @@ def sign_text(signs: Sequence[int], minus: str = "-") -> str:
     return "".join("+" if sign > 0 else minus if sign < 0 else "0" for sign in signs)
 
 
-def from_floats(values: Any, name: str = "value to convert") -> Any:
+def from_floats(values: Any, *, name: str = "value to convert") -> Any:
     """Convert binary floats to the rationals that they are, exactly and on purpose.
 
     Args:
@@ -164,6 +166,9 @@ def from_floats(values: Any, name: str = "value to convert") -> Any:
 
     >>> from_floats([0.5, 0.1])
     (Fraction(1, 2), Fraction(3602879701896397, 36028797018963968))
+    >>> from arrangement import Arrangement
+    >>> str(Arrangement(from_floats([[0.5, 1.0]]), from_floats([0.25]))[0])
+    '2*x + 4*y = 1'
     """
     if hasattr(values, "filled") and values.count() < values.size:  # masked arrays of numpy
         raise InputError(f"{name} has masked entries; leave them out, or fill them with numbers")
@@ -175,13 +180,13 @@ def from_floats(values: Any, name: str = "value to convert") -> Any:
         except (OverflowError, ValueError):
             raise InputError(f"{name} is {values}; only finite floats can be converted") from None
     if isinstance(values, Iterable) and not isinstance(values, (str, bytes)):
-        return tuple(from_floats(value, name) for value in values)
+        return tuple(from_floats(value, name=name) for value in values)
     return rational(values, name)
 
 
 def from_float(value: Any, name: str) -> Fraction:
     """Return one number as `from_floats` does; refuse sequences."""
-    fraction = from_floats(value, name)
+    fraction = from_floats(value, name=name)
     if isinstance(fraction, tuple):
         raise InputError(f"{name} is {shown(value)}; give one number")
     return Fraction(fraction)

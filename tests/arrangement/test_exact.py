@@ -87,6 +87,8 @@ def test_floats_convert_to_the_binary_value_that_they_have():
     assert from_floats(0.1) == Fraction(3602879701896397, 2**55)
     assert from_floats(np.array([[0.5, -2.0]])) == ((Fraction(1, 2), Fraction(-2)),)
     assert from_floats([1, "1/3", 0.25]) == (Fraction(1), Fraction(1, 3), Fraction(1, 4))
+    with pytest.raises(TypeError, match="1 positional argument"):
+        from_floats([[1.0, 2.0]], [0.5])
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, [1.0, math.nan], "x", True])
