@@ -31,7 +31,7 @@ from .numbers.exact import shown, vector_text
 from .planes.drawable import DrawableArrangement
 from .planes.faces import Face
 from .planes.identification import Identification
-from .planes.planes import Planes
+from .planes.planes import Hyperplane, Planes
 from .planes.polygon import Inside, bounding_planes
 
 if TYPE_CHECKING:
@@ -346,15 +346,15 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
     def __or__(self, other: object) -> Arrangement:
         return counts.union(self, other) if isinstance(other, Planes) else NotImplemented
 
-    def deletion(self, *planes: int) -> Arrangement:
+    def deletion(self, *planes: int | Hyperplane) -> Arrangement:
         """Return the arrangement without the given hyperplanes; see `counts.deletion`."""
         return counts.deletion(self, planes)
 
-    def restriction(self, *planes: int) -> Arrangement:
+    def restriction(self, *planes: int | Hyperplane) -> Arrangement:
         """Return the arrangement that the others cut on a flat; see `counts.restriction`."""
         return counts.restriction(self, planes)
 
-    def localization(self, *planes: int) -> Arrangement:
+    def localization(self, *planes: int | Hyperplane) -> Arrangement:
         """Return the hyperplanes that contain a flat; see `counts.localization`."""
         return counts.localization(self, planes)
 

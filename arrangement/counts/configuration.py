@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from arrangement.errors import InputError
 from arrangement.numbers import budget
-from arrangement.numbers.exact import IntegerVector, largest
+from arrangement.numbers.exact import IntegerVector, largest, shown
 from arrangement.numbers.linear.rank import (
     ask_elimination,
     determinant,
@@ -27,9 +27,10 @@ from arrangement.numbers.linear.rank import (
     rank,
     spread,
 )
-from arrangement.planes.planes import Planes
+from arrangement.planes.planes import Hyperplane, Planes
 
-Indices = int | Iterable[int]
+#: Numbers of planes from 0, or planes of the arrangement themselves.
+Indices = int | Hyperplane | Iterable[int | Hyperplane]
 #: Minors are expanded modulo this prime.
 PRIME = 2**26 - 5
 #: Maximal minors that are looked at.
@@ -83,15 +84,20 @@ def pivot_columns(rows: Sequence[IntegerVector], width: int) -> tuple[int, ...]:
 
 
 def indices(arrangement: Planes, planes: Indices) -> tuple[int, ...]:
-    """Return plane indices, each checked."""
-    chosen: tuple[Any, ...] = (planes,) if isinstance(planes, int) else tuple(planes)
-    if len(chosen) == 1 and isinstance(chosen[0], Iterable):
+    """Return plane indices, each checked; a hyperplane stands for the first one equal to it."""
+    single = (int, str, Hyperplane)
+    chosen: tuple[Any, ...] = (planes,) if isinstance(planes, single) else tuple(planes)
+    if len(chosen) == 1 and isinstance(chosen[0], Iterable) and not isinstance(chosen[0], single):
         chosen = tuple(chosen[0])
+    if any(isinstance(plane, Hyperplane) for plane in chosen):
+        places = {plane: i for i, plane in reversed(list(enumerate(arrangement)))}
+        chosen = tuple(places.get(p, p) if isinstance(p, Hyperplane) else p for p in chosen)
     for plane in chosen:
-        if isinstance(plane, bool) or not 0 <= plane < len(arrangement):
+        number = hasattr(plane, "__index__") and not isinstance(plane, bool)
+        if not number or not 0 <= plane < len(arrangement):
             raise InputError(
-                f"plane {plane} does not exist; this arrangement has {len(arrangement)} planes, "
-                "counted from 0"
+                f"plane {shown(plane)} does not exist; this arrangement has {len(arrangement)} "
+                "planes, counted from 0"
             )
     return chosen
 

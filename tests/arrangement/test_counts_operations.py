@@ -89,6 +89,12 @@ def test_essentialization_has_full_rank_and_the_same_faces(planes):
         (counts.restriction, (3,), "does not exist"),
         (counts.deletion, (-1,), "does not exist"),
         (counts.deletion, (True,), "does not exist"),
+        (counts.deletion, ("x = 0",), "plane 'x = 0' does not exist"),
+        (
+            counts.restriction,
+            tuple(Arrangement([[1, 0]], [7])),
+            "plane <Hyperplane: x = 7> does not",
+        ),
     ],
 )
 def test_impossible_operations_say_why(operation, arguments, message):
@@ -100,6 +106,9 @@ def test_impossible_operations_say_why(operation, arguments, message):
 def test_planes_may_be_given_as_a_list():
     planes = Arrangement([[1, 0], [1, 0], [0, 1]], [0, 1, 0])
     assert planes.deletion([0, 2]) == planes.deletion(0, 2) == planes[1:2]
+    assert planes.deletion(*planes[::2]) == counts.deletion(planes, planes[::2]) == planes[1:2]
+    assert planes.restriction(planes[1]) == counts.restriction(planes, planes[1])
+    assert planes.restriction(planes[1]) == planes.restriction(1)
     assert planes.restriction([0]) == planes.restriction(0)
     assert planes.localization([0, 2]) == planes.localization(0, 2)
 
