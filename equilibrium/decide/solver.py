@@ -29,7 +29,7 @@ from equilibrium.model.effort import STEPS, Effort
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Open, Refutation, Solution
-from equilibrium.model.subject import LoadCase, Subject, by_body, no_load, read_load
+from equilibrium.model.subject import LoadCase, Subject, by_body, check_subject, no_load, read_load
 
 from .as_printed import PrintedVerdict, solve_as_printed
 from .engines import PlanarEngine, SpatialEngine, answered, new_memory
@@ -113,6 +113,7 @@ def solve(
     >>> solve(read_grasp("single-contact"), [0, 0, 0], as_printed=["all-stick"]).options
     ('all-stick',)
     """
+    check_subject(grasp)
     unfit: dict[str, Any] = {"pyramid": pyramid, "shorten": shorten or None}
     form = "an assembly" if isinstance(grasp, Assembly) else "as_printed"
     if isinstance(grasp, Assembly):
@@ -185,6 +186,7 @@ class Solver(ReprMixin):
     def __init__(
         self, grasp: Subject, max_displacement: Rational | None = None, pyramid: int | None = None
     ) -> None:
+        check_subject(grasp)
         self.max_displacement, self.pyramid = read_displacement(max_displacement), pyramid
         self.grasp: Any = grasp
         self.engine = engine_of(grasp, self.max_displacement, pyramid)

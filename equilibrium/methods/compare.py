@@ -15,6 +15,7 @@ from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
+from equilibrium.model.subject import check_subject
 from equilibrium.wrench_sets.slice import FORCES, resisted_region
 
 from .grasp_wrench_space import GraspWrenchSpace
@@ -181,6 +182,7 @@ def compare(
     >>> compare(read_grasp("paper-three-contacts"), [0, -1, 0]).disagreeing
     ('linear-compliance',)
     """
+    check_subject(grasp)
     check_cost(grasp)
     applied: Any
     if isinstance(grasp, Assembly):

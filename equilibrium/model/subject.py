@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import os
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, TypeAlias
 
-from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.rank import difference
 
 from .assembly import SIZE, Assembly
@@ -18,6 +19,21 @@ from .labels import DataError
 from .rows import ContactRows
 
 Subject: TypeAlias = Grasp | Assembly
+
+
+def check_subject(value: object) -> None:
+    """Refuse what is neither a grasp nor an assembly.
+
+    Raises:
+        GraspError: with what makes one of the value.
+    """
+    if not isinstance(value, (Grasp, Assembly)):
+        make = "Grasp(contacts)"
+        if isinstance(value, (str, os.PathLike, Mapping)):
+            make = f"read_grasp({'document' if isinstance(value, Mapping) else shown(value)})"
+        raise GraspError(
+            f"the grasp is {shown(value)}; expected a Grasp or an Assembly. Write {make}"
+        )
 
 
 def contacts_of(subject: Subject) -> tuple[Contact, ...]:

@@ -186,7 +186,7 @@ def test_a_saved_certificate_is_verified(tmp_path):
 @pytest.mark.parametrize(
     ("owner", "name", "hint"),
     [
-        (equilibrium, "force_closure", "methods.force_closure(grasp)"),
+        (equilibrium, "force_closure", "GraspWrenchSpace(grasp).force_closure"),
         (equilibrium, "from_float_data", "equilibrium.inputs.from_float_data"),
         (equilibrium, "margin", "ResistedSet(grasp).margin(wrench)"),
         (equilibrium, "check", "verify(source)"),

@@ -15,7 +15,9 @@ from equilibrium import (
     Contact,
     Grasp,
     GraspError,
+    ResistedSet,
     Verdict,
+    compare,
     read_grasp,
     solve,
     solve_many,
@@ -336,3 +338,18 @@ def test_questions_are_of_all_kinds():
     assert Counter(len(q.grasp) for q in asked) == {2: 6, 3: 6, 4: 6, 5: 6}
     assert {q.kind for q in asked} == set(GRASPS)
     assert {q.load for q in asked} == {"free", "zero", *BORDERS}
+
+
+@pytest.mark.parametrize("ask", [solve, compare, lambda grasp, _: ResistedSet(grasp)])
+@pytest.mark.parametrize(
+    ("value", "remedy"),
+    [
+        ("ladder", "the grasp is 'ladder'; .* Write read_grasp('ladder')"),
+        ({"contacts": []}, "Write read_grasp(document)"),
+        ([], "Write Grasp(contacts)"),
+        (None, "the grasp is None; .* Write Grasp(contacts)"),
+    ],
+)
+def test_other_values_are_not_grasps(ask, value, remedy):
+    with pytest.raises(GraspError, match=remedy.replace("(", r"\(").replace(")", r"\)")):
+        ask(value, [0, -1, 0])
