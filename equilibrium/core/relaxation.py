@@ -313,8 +313,7 @@ class Relaxation:
         self.n, self.frame = c.rows.n, 1 + c.rows.tangents
         self.arms = c.arms(1 / c.length)
         self.smooth = smooth
-        # Powers of two, so that loads of like sizes have the same rows.
-        self.force, self.step = np.exp2(np.rint(np.log2([smooth.size or 1.0, smooth.scale[0]])))
+        self.force, self.step = smooth.size or 1.0, float(smooth.scale[0])
         self.scale = self.step * self.arms
         self.load = smooth.load * self.arms / self.force
         self.normal, self.tangents = c.normal * self.arms, c.tangents * self.arms
