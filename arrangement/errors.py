@@ -94,6 +94,13 @@ def refusal(
     return InputError(f"{mistake}; {meant}{remedy} {', '.join(names) or 'none'}")
 
 
+def missing_item(noun: str, index: object, count: int) -> Exception:
+    """Return the error for an item that a sequence does not have, of the type that lists raise."""
+    if hasattr(index, "__index__"):
+        return IndexError(f"{noun} {index} does not exist; there are {count}, numbered from 0")
+    return TypeError(f"{noun}s are numbered from 0; {index!r:.40} is not such a number")
+
+
 #: How alike a misspelt name is to the name that is meant: "zone" and "cone" are less so, and
 #: "decone" and "cone".
 _ALIKE = 0.81

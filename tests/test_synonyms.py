@@ -192,6 +192,20 @@ def test_words_of_statics_are_answered(value):
             assert name.endswith(hint or "nothing")
 
 
+@pytest.mark.parametrize(
+    ("values", "noun", "count"),
+    [(LINES, "plane", 3), (LINES.regions(), "face", 7), (GRASP, "contact", 4)],
+    ids=["planes", "faces", "contacts"],
+)
+def test_items_that_are_not_there(values, noun, count):
+    assert [values[i] for i in range(-count, count)] == [*values, *values]
+    for index in (count, -count - 1):
+        with pytest.raises(IndexError, match=f"{noun} {index} does not exist; there are {count},"):
+            values[index]
+    with pytest.raises(TypeError, match=f"{noun}s are numbered from 0; 'x=0' is not such a number"):
+        values["x=0"]
+
+
 def test_other_errors_of_types_stay():
     with pytest.raises(TypeError, match="red is not painted"):
         Painted(color="red")

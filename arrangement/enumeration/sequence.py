@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arrangement.console.number_form import ReprMixin
-from arrangement.errors import InputError
+from arrangement.errors import InputError, missing_item
 from arrangement.numbers import budget
 from arrangement.numbers.coefficients import Coefficients, Integers
 from arrangement.numbers.exact import (
@@ -147,7 +147,10 @@ class FaceSequence(ReprMixin, Sequence[Face]):
     @overload
     def __getitem__(self, index: slice) -> tuple[Face, ...]: ...
     def __getitem__(self, index: int | slice) -> Face | tuple[Face, ...]:
-        chosen = range(len(self))[index]
+        try:
+            chosen = range(len(self))[index]
+        except (IndexError, TypeError):
+            raise missing_item("face", index, len(self)) from None
         if isinstance(chosen, int):
             return next(self._faces_at(np.array([chosen])))
         signs = len(chosen) * len(self._planes)

@@ -12,7 +12,7 @@ from functools import cached_property
 from itertools import chain, combinations
 from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeAlias, overload
 
-from arrangement.errors import InputError
+from arrangement.errors import InputError, missing_item
 from arrangement.numbers import budget
 from arrangement.numbers.exact import (
     IntegerVector,
@@ -260,7 +260,11 @@ class Planes:
                 axes=self.axes,
                 names=self.names[index],
             )
-        *normal, offset = map(fraction, self._integer_planes[index])
+        try:
+            plane = self._integer_planes[index]
+        except (IndexError, TypeError):
+            raise missing_item("plane", index, len(self)) from None
+        *normal, offset = map(fraction, plane)
         return Hyperplane(tuple(normal), offset)
 
     def __eq__(self, other: object) -> bool:

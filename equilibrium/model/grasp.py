@@ -16,7 +16,7 @@ import arrangement
 from arrangement.console.number_form import counted
 from arrangement.console.plugins import attached
 from arrangement.console.writing import write_text_atomically
-from arrangement.errors import HintsMixin
+from arrangement.errors import HintsMixin, missing_item
 from arrangement.library.arguments import entries, whole
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers import budget
@@ -145,6 +145,13 @@ class Grasp(HintsMixin, DrawableGrasp):
 
     def __iter__(self) -> Iterator[Contact]:
         return iter(self.contacts)
+
+    def __getitem__(self, index: int) -> Contact:
+        """Return a contact, or a point of a pad, by its place in `contacts` from 0."""
+        try:
+            return self.contacts[index]
+        except (IndexError, TypeError):
+            raise missing_item("contact", index, len(self)) from None
 
     @cached_property
     def groups(self) -> tuple[range, ...]:
