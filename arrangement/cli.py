@@ -43,6 +43,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 #: Other words for commands and options, with what to write.
 _SYNONYMS = {
     "polynomial": "arrangement count FILE",
+    "characteristic_polynomial": "arrangement count FILE",
     "chambers": "arrangement count FILE",
     "regions": "arrangement count FILE",
     "vertices": "arrangement faces FILE --dimension 0",
@@ -53,6 +54,10 @@ _SYNONYMS = {
     "import": "arrangement convert FILE --from FORMAT --number K, or arrangement list FILE",
     "plot": "arrangement draw",
     "show": "arrangement draw",
+    "figure": "arrangement draw FILE -o FIGURE.svg",
+    "slides": "arrangement lab -o LAB.html; slides are in the folder docs/slides",
+    "--stones": "equilibrium make arch --voussoirs N -o ARCH.json",
+    **dict.fromkeys(("--diagonals", "--chords"), "arrangement make diagonals --n 6 -o FILE.json"),
     "--bounded": "arrangement faces FILE --bounded",
     "--proved": "--verified",
     "--types": "--classes",
@@ -64,6 +69,8 @@ def _parser() -> Parser:
         "arrangement",
         "Count, enumerate, identify and draw hyperplane arrangements, exactly.",
         _SYNONYMS,
+        for_files="arrangement count {}",
+        names=json_files.instances,
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 

@@ -14,7 +14,7 @@ import json
 import math
 import os
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -45,18 +45,28 @@ _BROKEN_PIPE = 141
 
 
 def command_parser(
-    prog: str, description: str, synonyms: Mapping[str, str] | None = None
+    prog: str,
+    description: str,
+    synonyms: Mapping[str, str] | None = None,
+    for_files: str = "",
+    names: Callable[[], Iterable[str]] = tuple,
 ) -> Parser:
     """Return the parser of one program, with the options that print and end.
 
     Args:
         synonyms: other words for commands and options, each with what to write.
+        for_files, names: the command that takes a file or one of these names, ``{}``.
     """
     every = ("yes or done", "no or refuted", "undecided", "internal error")
     parser = Parser(prog=prog, description=description, epilog=_exit_codes(every))
     parser.add_argument("--version", action=Version)
     parser.add_argument("--print-completion", action=PrintCompletion)
-    parser.synonyms = {"help": f"{prog} COMMAND --help", **(synonyms or {})}
+    parser.synonyms = {
+        "help": f"{prog} COMMAND --help",
+        "--out": "-o PATH",
+        **(synonyms or {}),
+    }
+    parser.for_files, parser.names["file"] = for_files, names
     return parser
 
 

@@ -29,7 +29,7 @@ _COMMON = {"output", "view", "model", "width", "font", "font_size", "theme", "le
 
 #: Other words for options of pictures, with what to write.
 _SYNONYMS = {
-    "--format": "-o PATH with its ending, such as .svg",
+    "--format": "-o PATH with its ending: .svg, .pdf, .png, .tex for TikZ",
     "--no-labels": "--labels none",
     "--no-legend": "--legend none",
 }
@@ -83,6 +83,9 @@ def add_options(
         if flag not in own:
             _add(parser, uses[flag], asked)
     names = {f"--{old}": f"--{new}" for old, new in OPTION_SYNONYMS.items() if new in uses}
+    if "--xlim" in names:  # few views have it
+        use = f"--view {uses['window'][0].name} --window X,Y X,Y"
+        names |= {"--xlim": use, "--ylim": use}
     parser.synonyms = {**parser.synonyms, **_SYNONYMS, **names}
     parser.strays["mm|cm|in|pt"] = "a length in one word, such as 10cm"
     added = {*parser._actions} - before

@@ -73,7 +73,7 @@ def add_grasp(parser: Any, name: str, number: Any = None, preload: bool = True) 
     """Add a grasp, as an argument or an option, and a preload in place of its own."""
     text = "a path (JSON, or .csv with one contact a line), - for stdin, or a built-in name"
     action = parser.add_argument(name, metavar="GRASP", nargs=number, help=text)
-    parser.names[action.dest] = _built_in
+    parser.names[action.dest] = built_in
     text = "take normals of any length: the nearest exact unit vector, with the change reported"
     parser.add_argument("--round-normals", action="store_true", help=text)
     add_as_given(parser)
@@ -82,7 +82,7 @@ def add_grasp(parser: Any, name: str, number: Any = None, preload: bool = True) 
         add_number(parser, "--preload", None, text, metavar="P")
 
 
-def _built_in() -> Iterable[str]:
+def built_in() -> Iterable[str]:
     """Return the names of the built-in grasps."""
     from arrangement.library.files.json_files import described
 

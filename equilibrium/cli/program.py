@@ -9,10 +9,26 @@ from arrangement.console import terminal
 from arrangement.console.options.parser import Parser
 
 from . import draw, info, inputs, resisted, solve, verify
-from .arguments import add_command
+from .arguments import add_command, built_in
 
 #: Other words for commands and options, with what to write.
 _SYNONYMS = {
+    "example": "equilibrium list, which has the built-in grasps",
+    "examples": "equilibrium list, which has the built-in grasps",
+    "lesson": "equilibrium lab -o LAB.html; lessons are in the folder docs/lessons",
+    "slides": "equilibrium lab -o LAB.html; slides are in the folder docs/slides",
+    "play": "equilibrium lab -o LAB.html",
+    **dict.fromkeys(
+        ("exercise", "exercises", "quiz", "homework"),
+        "equilibrium lab -o LAB.html; proofs-check grade slip-lab has its exercises",
+    ),
+    "explain": "equilibrium info GRASP LOAD -o PAGE.html",
+    "holds": "equilibrium solve GRASP LOAD",
+    **dict.fromkeys(("friction", "min-friction"), "equilibrium resisted GRASP LOAD --friction 1 2"),
+    **dict.fromkeys(
+        ("range", "tilt", "angle"), "equilibrium resisted GRASP LOAD --parameter t=0..1"
+    ),
+    "monte-carlo": "equilibrium solve GRASP LOAD --robust length=1/100 friction=5%",
     "limit": "equilibrium resisted GRASP LOAD, or equilibrium resisted GRASP --smallest",
     "margin": "equilibrium resisted GRASP LOAD --margin",
     "region": "equilibrium resisted GRASP --slice U V",
@@ -30,6 +46,11 @@ _SYNONYMS = {
     "plot": "equilibrium draw",
     "report": "equilibrium info GRASP LOAD -o PAGE.html",
     "stable": "equilibrium solve GRASP LOAD",
+    **dict.fromkeys(
+        ("--angle", "--tilt"),
+        "--force F_X F_Y, or a letter in the file and resisted --parameter t=0..1",
+    ),
+    "--stones": "equilibrium make arch --voussoirs N -o ARCH.json",
     "--forces": "--wrench F_X F_Y TAU",
     "--friction": "the friction of contacts into their file",
     "--gravity": "--weight",
@@ -62,6 +83,8 @@ def _parser() -> Parser:
         "equilibrium",
         "Decide passive stability of frictional grasps exactly, with certificates.",
         _SYNONYMS,
+        for_files="equilibrium solve {} --weight 1",
+        names=built_in,
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     solve.add_command_solve(commands)

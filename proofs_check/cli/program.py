@@ -13,8 +13,9 @@ from arrangement.console.options.parser import Parser
 
 #: Other words for commands and options, with what to write.
 _SYNONYMS = {
-    "check": "proofs-check run",
-    "verify": "proofs-check run",
+    "check": "proofs-check run CLAIM, or equilibrium verify CERT.json for a certificate",
+    "verify": "proofs-check run CLAIM, or equilibrium verify CERT.json for a certificate",
+    "refuted": "proofs-check run, which prints the verdicts",
     "show": "proofs-check list ID",
     "explain": "proofs-check list ID",
     "counterexample": "proofs-check run ID --save FOLDER",
@@ -32,6 +33,7 @@ _SYNONYMS = {
     "--types": "--classes",
     "--planes": "--elements",
     "--lines": "--classes",
+    "--dim": '--of "affine(d=3)"',
     "--proved": "--verified",
 }
 
@@ -65,7 +67,10 @@ def _parser() -> Parser:
         "proofs-check",
         "Verify counting claims about arrangements and grasps by independent implementations.",
         _SYNONYMS,
+        for_files="proofs-check run {}",
+        names=_claims,
     )
+    parser.strays[".*[=<>≤≥≠].*"] = "proofs-check try {}"
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
     def command(name: str, function: str, help: str, *answers: str) -> Parser:

@@ -138,10 +138,23 @@ def test_what_takes_too_long_is_left_out_with_its_reason(capsys, tmp_path):
 
 
 def test_a_guess_of_the_field_is_answered(capsys):
-    for word, answer in (("chambers", "arrangement count FILE"), ("plot", "arrangement draw")):
+    for words, answer in (
+        ("chambers", "write 'arrangement count FILE'"),
+        ("plot", "write 'arrangement draw'"),
+        ("figure", "write 'arrangement draw FILE -o FIGURE.svg'"),
+        ("slides", "write 'arrangement lab -o LAB.html; slides are in the folder docs/slides'"),
+        ("lines.csv", "write arrangement count lines.csv ("),
+        ("braid-a3", "write arrangement count braid-a3 ("),
+        ("braid", "write arrangement make braid ("),
+        ("draw pencil -o p.svg --out q.svg", "write '-o PATH'"),
+        ("draw pencil -o p.svg --xlim -3,3", "write '--view lines --window X,Y X,Y'"),
+        ("draw pencil -o p.svg --format tikz", ".pdf, .png, .tex for TikZ'"),
+        ("draw pencil -o p.svg --chords", "write 'arrangement make diagonals --n 6 -o FILE.json'"),
+        ("draw pencil -o p.svg --no-axes", "unknown option '--no-axes' (see"),
+    ):
         with pytest.raises(SystemExit):
-            main([word])
-        assert f"there is no '{word}'; write '{answer}'" in capsys.readouterr().err
+            main(words.split())
+        assert answer in capsys.readouterr().err
     assert main(["count", "A3"]) == 2
     assert "did you mean the built-in braid-a3" in capsys.readouterr().err
 

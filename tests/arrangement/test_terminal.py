@@ -44,12 +44,21 @@ def parsed(*arguments: str) -> argparse.Namespace:
 
 def test_other_words_are_answered_with_the_name(capsys):
     synonyms = {"walk": "demo go --fast", "--speed": "--wrench"}
-    parser = terminal.command_parser("demo", "A demonstration.", synonyms)
+    parser = terminal.command_parser(
+        "demo", "A demonstration.", synonyms, for_files="demo go {}", names=lambda: ["ladder"]
+    )
+    parser.strays[".*=.*"] = "demo try {}"
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     terminal.add_command(commands, "go", "go there", heading="common")
+    make = terminal.add_command(commands, "make", "make something")
+    make.lazy_options = lambda: make.add_subparsers().add_parser("arch")
     for words, answer in (
         (["walk"], "error: there is no 'walk'; write 'demo go --fast' ("),
         (["help"], "error: there is no 'help'; write 'demo COMMAND --help' ("),
+        (["my file.csv"], "error: 'my file.csv' is not a command; write demo go 'my file.csv' ("),
+        (["ladder"], "error: 'ladder' is not a command; write demo go ladder ("),
+        (["a=b"], "error: 'a=b' is not a command; write demo try a=b ("),
+        (["arch"], "error: 'arch' is not a command; write demo make arch ("),
         (["go", "--speed", "3"], "error: there is no '--speed'; write '--wrench' ("),
         (["go", "--speed=3"], "error: there is no '--speed'; write '--wrench' ("),
     ):
@@ -66,6 +75,10 @@ def test_unknown_option_is_answered_with_what_there_is(capsys):
     assert refused(["--stones", "3"], capsys).startswith(
         "error: unknown option '--stones'; expected one of --output, --jobs, --wrench, --literal ("
     )
+    assert refused(["--job", "3"], capsys).startswith(
+        "error: unknown option '--job'; did you mean --jobs? ("
+    )
+    assert refused(["--no-jobs"], capsys).startswith("error: unknown option '--no-jobs'; expected")
     assert refused(["there"], capsys).startswith("error: unexpected argument 'there' (")
 
 

@@ -173,6 +173,13 @@ def test_make_writes_the_file_that_it_prints(tmp_path, capsys):
         ("solve ladder --weight 1 --literal signs", "--as-printed"),
         ("verify proof.json --proved", "--verified"),
         ("make mesh a.stl --friction 1 --within 1", "--max-distance"),
+        ("examples", "equilibrium list, which has the built-in grasps"),
+        ("friction", "equilibrium resisted GRASP LOAD --friction 1 2"),
+        ("tilt", "equilibrium resisted GRASP LOAD --parameter t=0..1"),
+        ("quiz", "equilibrium lab -o LAB.html; proofs-check grade slip-lab has its exercises"),
+        ("slides", "equilibrium lab -o LAB.html; slides are in the folder docs/slides"),
+        ("solve ladder --weight 1 --angle 30", "--force F_X F_Y, or a letter in the file"),
+        ("make arch --stones 9", "equilibrium make arch --voussoirs N -o ARCH.json"),
     ],
 )
 def test_other_words_say_what_to_write(capsys, words, now):
@@ -180,6 +187,21 @@ def test_other_words_say_what_to_write(capsys, words, now):
         main(words.split())
     assert stopped.value.code == 2
     assert f"; write '{now}" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("word", "use"),
+    [
+        ("ladder", "solve ladder --weight 1"),
+        ("my contacts.csv", "solve 'my contacts.csv' --weight 1"),
+        ("arch", "make arch"),
+    ],
+)
+def test_subjects_typed_as_commands_are_answered_with_a_command(capsys, word, use):
+    with pytest.raises(SystemExit):
+        main([word])
+    expected = f"{word!r} is not a command; write equilibrium {use} (see"
+    assert expected in capsys.readouterr().err
 
 
 def test_numbers_that_stand_alone_name_the_option_of_the_wrench(capsys):

@@ -79,3 +79,20 @@ def test_text_keeps_to_the_width(monkeypatch, capsys):
     monkeypatch.setenv("COLUMNS", "72")
     assert main(["run", "step-1-square-bound", QUICKEST[0]]) == 0
     assert max(map(len, capsys.readouterr().out.splitlines())) <= 72
+
+
+@pytest.mark.parametrize(
+    ("words", "answer"),
+    [
+        (["regions == m**2"], "is not a command; write proofs-check try 'regions == m**2' ("),
+        (["euler"], "'euler' is not a command; write proofs-check run euler ("),
+        (["refuted"], "write 'proofs-check run, which prints the verdicts'"),
+        (["check", "c.json"], "or equilibrium verify CERT.json for a certificate'"),
+        (["try", "m >= 3", "--dim", "3"], "write '--of \"affine(d=3)\"'"),
+    ],
+)
+def test_words_that_are_not_commands_are_answered_with_one(capsys, words, answer):
+    with pytest.raises(SystemExit) as stopped:
+        main(words)
+    assert stopped.value.code == 2
+    assert answer in capsys.readouterr().err

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import argparse
 import re
+import shlex
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
@@ -30,8 +31,11 @@ from .values import MAX_COUNT, contact_argument, rational_argument
 _BAD_INPUT = 2
 #: Options of all commands, which no misspelt one is answered with.
 _EVERYWHERE = {"help", "json", "limit", "traceback", "exact", "digits"}
-#: Options that are listed where one is unknown, and how alike one is that is meant.
-_FEW, _ALIKE = 8, 0.7
+#: Options that are listed where one is unknown.
+_FEW = 8
+#: How alike a misspelt name is to the one that is meant, as "jbos" and "jobs"; "slides" and "list"
+#: are less so.
+_ALIKE = 0.75
 _NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
 _NUMBER = re.compile(r"[+-]?\.?[0-9]")
 
@@ -46,7 +50,9 @@ class Parser(argparse.ArgumentParser):
         lazy_options: adds the options that take time to find out.
         variadic: options that take at least so many numbers as their ``nargs``.
         arguments: the words that are parsed.
-        strays: patterns of words for which there is no place, each with what to write.
+        strays: patterns of words for which there is no place, each with what to write, in which
+            ``{}`` stands for the word.
+        for_files: of a program, the command that takes a file or a built-in name, ``{}``.
         synonyms: other words for commands and options, each with what to write.
         headings: the commands of a program under headings of its help: names with what they do.
         names: for arguments and options, by their destination, a function that returns the names
@@ -62,6 +68,7 @@ class Parser(argparse.ArgumentParser):
         self.arguments: Sequence[str] = ()
         self.synonyms: Mapping[str, str] = {}
         self.strays: dict[str, str] = {}
+        self.for_files = ""
         self.headings: dict[str, list[tuple[str, str]]] = {}
         self.names: dict[str, Callable[[], Iterable[str]]] = {}
         #: Options with a value, in the order in which they are parsed.
@@ -143,11 +150,31 @@ class Parser(argparse.ArgumentParser):
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         """Name the nearest choices of a misspelt one."""
         if action.choices is not None and value not in action.choices:
-            if isinstance(action, argparse._SubParsersAction) and value in self.synonyms:
-                raise argparse.ArgumentError(None, self._synonym(value))
+            if isinstance(action, argparse._SubParsersAction):
+                self._refuse_other_word(value, action.choices)
             known = list(action.choices)
             text = f"there is no {shown(value)}; expected one of {', '.join(known)}"
             raise argparse.ArgumentError(action, text + _suggestion(value, known))
+
+    def _refuse_other_word(self, word: str, commands: Mapping[str, Any]) -> None:
+        """Refuse a word that is not a command, if it can be seen what is meant."""
+        if word in self.synonyms:
+            raise argparse.ArgumentError(None, self._synonym(word))
+        use = self._stray(word)
+        if not use and self.for_files:
+            is_name = re.search(r"[./]", word) or word in self.names["file"]()
+            use = self.for_files.replace("{}", shlex.quote(word)) if is_name else ""
+        if not use and "make" in commands:
+            commands["make"].add_lazy_options()
+            kinds = [action.choices or () for action in commands["make"]._actions]
+            use = f"{self.prog} make {word}" if any(word in kind for kind in kinds) else ""
+        if use:
+            raise argparse.ArgumentError(None, f"{shown(word)} is not a command; write {use}")
+
+    def _stray(self, word: str) -> str:
+        """Return what to write for a word for which there is no place, if that is known."""
+        uses = (use for pattern, use in self.strays.items() if re.fullmatch(pattern, word))
+        return next(uses, "").replace("{}", shlex.quote(word))
 
     def _synonym(self, word: str) -> str:
         return f"there is no {word!r}; write {self.synonyms[word]!r}"
@@ -155,9 +182,8 @@ class Parser(argparse.ArgumentParser):
     def _unknown(self, word: str) -> str:
         if (name := word.partition("=")[0]) in self.synonyms:
             return self._synonym(name)
-        for pattern, use in self.strays.items():
-            if re.fullmatch(pattern, word):
-                return f"unexpected argument {shown(word)}; write {use}"
+        if use := self._stray(word):
+            return f"unexpected argument {shown(word)}; write {use}"
         if not word.startswith("-"):
             return f"unexpected argument {shown(word)}"
         own = [
@@ -171,7 +197,7 @@ class Parser(argparse.ArgumentParser):
             else ""
         )
         near = _suggestion(
-            name.lstrip("-"), [x.lstrip("-") for x in self._option_string_actions], "--", _ALIKE
+            name.lstrip("-"), [x.lstrip("-") for x in self._option_string_actions], "--"
         )
         return f"unknown option {shown(word)}{near or few}"
 
@@ -220,8 +246,8 @@ def _numbers(words: Sequence[str]) -> int:
     return sum(1 for _ in takewhile(re.compile(r"[-+]?[.]?[0-9]").match, parts))
 
 
-def _suggestion(word: str, known: Iterable[str], before: str = "", alike: float = 0.6) -> str:
-    near = [before + name for name in get_close_matches(word, known, 3, alike)]
+def _suggestion(word: str, known: Iterable[str], before: str = "") -> str:
+    near = [before + name for name in get_close_matches(word, known, 3, _ALIKE)]
     return f"; did you mean {' or '.join(near)}?" if near else ""
 
 
