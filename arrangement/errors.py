@@ -123,6 +123,9 @@ def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> 
     if not name.startswith("_"):  # `copy` and `pickle` look for many of these
         use = {word.lower(): use for word, use in synonyms.items()}.get(name.lower())
         names = [known for known in dir(owner) if known[0] != "_"]
+        if name == "to_json" and "to_dict" in names:
+            value = (owner if isinstance(owner, type) else type(owner)).__name__.lower()
+            use = use or f"json.dumps({value}.to_dict())"
         use = use or " or ".join(get_close_matches(name, names, 2, _ALIKE))
         hint = f"; use {use}" if use else ""
     return AttributeError(f"{what} has no attribute {name!r}{hint}", name=name)

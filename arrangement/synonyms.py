@@ -147,7 +147,11 @@ ARRANGEMENT: Mapping[str, Mapping[str, str]] = {
         "savefig": "A.draw().write(path)",
         "show": "A.draw()",
         "symmetries": "A.identify().automorphisms",
-        "to_json": "A.to_dict()",
+        "to_csv": "A.save(path)",
+        "to_dataframe": "pandas.DataFrame(A.sign_vectors())",
+        "to_json": "json.dumps(A.to_dict())",
+        "to_numpy": "A.sign_vectors()",
+        "to_pandas": "pandas.DataFrame(A.sign_vectors())",
         "to_networkx": "A.region_graph()",
         "triangles": "A.bounded_p_vector",
         "zaslavsky": "A.region_count()",
@@ -178,6 +182,19 @@ PACKAGE: Mapping[str, str] = {
     "read_csv": "arrangement.read_arrangement(path)",
     "region_count": "A.region_count()",
     "save": "A.save(path)",
+}
+
+#: Of several faces or regions F.
+SEQUENCES: Mapping[str, str] = {
+    "filter": "F.where(F.signs[:, 0] > 0)",
+    "shape": "F.signs.shape",
+    "to_dataframe": "pandas.DataFrame(F.signs)",
+    "to_json": "json.dumps(F.signs.tolist())",
+    "to_list": "list(F)",
+    "to_numpy": "F.signs",
+    "to_pandas": "pandas.DataFrame(F.signs)",
+    "tolist": "list(F)",
+    "witnesses": "[face.witness for face in F]",
 }
 
 #: Of a face or region r, of an arrangement A.

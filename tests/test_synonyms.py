@@ -7,6 +7,7 @@ import re
 from importlib import import_module
 from importlib.resources import files
 from pathlib import Path
+from types import SimpleNamespace
 from typing import ClassVar
 
 import pytest
@@ -53,8 +54,10 @@ def test_names_for_arrangements_run(program, planes, tmp_path):
         "B": planes[:1],
         "arrangement": arrangement,
         "i": 1,
+        "json": json,
         "normal": [1] * planes.dimension,
         "offset": 0,
+        "pandas": PANDAS,
         "point": regions[0].witness,
         "r": regions[0],
         "s": regions[1],
@@ -74,10 +77,15 @@ def test_families_are_named_by_the_package():
     assert named == {name.replace("-", "_") for name in FAMILIES}
 
 
+#: The one name of pandas that is used, which takes any array of two dimensions.
+PANDAS = SimpleNamespace(DataFrame=lambda table: table.shape[1])
 EXAMPLE = files("proofs_check.examples") / "triangles.py"
 #: Values for the letters of what the packages answer.
 VALUES = {
     "A": LINES,
+    "F": LINES.regions(),
+    "json": json,
+    "pandas": PANDAS,
     "r": LINES.bounded_regions()[0],
     "S": Segments([((0, 0), (4, 4)), ((0, 4), (4, 0))]),
     "normal": [1, 0],
@@ -103,11 +111,12 @@ VALUES = {
     [
         (VALUES["S"], synonyms.SEGMENTS),
         (VALUES["r"], synonyms.FACES),
+        (VALUES["F"], synonyms.SEQUENCES),
         (arrangement, synonyms.PACKAGE),
         (equilibrium, equilibrium._SYNONYMS),
         (proofs_check, proofs_check._SYNONYMS),
     ],
-    ids=["segments", "faces", "arrangement", "equilibrium", "proofs_check"],
+    ids=["segments", "faces", "sequences", "arrangement", "equilibrium", "proofs_check"],
 )
 def test_names_of_segments_and_packages_run(owner, table, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
@@ -204,6 +213,23 @@ def test_items_that_are_not_there(values, noun, count):
             values[index]
     with pytest.raises(TypeError, match=f"{noun}s are numbered from 0; 'x=0' is not such a number"):
         values["x=0"]
+
+
+def test_json_texts_are_answered():
+    verdict = solve(GRASP, LOAD)
+    for name, value in [
+        ("grasp", GRASP),
+        ("grasp", Grasp),
+        ("verdict", verdict),
+        ("solution", verdict.solution),
+        ("contact", GRASP[0]),
+    ]:
+        with pytest.raises(AttributeError) as error:
+            value.to_json  # noqa: B018
+        use = f"json.dumps({name}.to_dict())"
+        assert str(error.value).endswith(f"'to_json'; use {use}")
+        if not isinstance(value, type):
+            run(use, json=json, **{name: value})
 
 
 def test_other_errors_of_types_stay():

@@ -17,6 +17,7 @@ from inspect import isroutine
 from itertools import islice
 from typing import Any, ClassVar
 
+from arrangement.errors import InstanceHintsMixin
 from arrangement.numbers.exact import common_digits, number_text, to_text
 
 #: Characters of a line, and items of a sequence in a line and in a table.
@@ -42,7 +43,7 @@ class ReprMixin:
         return table(self, _names(self))
 
 
-class JsonMixin(ReprMixin):
+class JsonMixin(InstanceHintsMixin, ReprMixin):
     """A value with a JSON form: the attributes that `json_fields` names."""
 
     __slots__ = ()

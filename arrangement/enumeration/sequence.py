@@ -6,17 +6,18 @@ that are asked for, when they are asked for.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, TypeAlias, overload
+from typing import Any, ClassVar, TypeAlias, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
+from arrangement import synonyms
 from arrangement.console.number_form import ReprMixin
-from arrangement.errors import InputError, missing_item
+from arrangement.errors import InputError, InstanceHintsMixin, missing_item
 from arrangement.numbers import budget
 from arrangement.numbers.coefficients import Coefficients, Integers
 from arrangement.numbers.exact import (
@@ -61,7 +62,7 @@ def no_faces(planes: int, dimension: int) -> Level:
     )
 
 
-class FaceSequence(ReprMixin, Sequence[Face]):
+class FaceSequence(InstanceHintsMixin, ReprMixin, Sequence[Face]):
     """The faces of an arrangement, or those of one dimension, in a fixed order.
 
     It looks like a tuple of `Face`: length, indices, slices (which are tuples), iteration. The
@@ -76,6 +77,7 @@ class FaceSequence(ReprMixin, Sequence[Face]):
     """
 
     repr_fields = ("f_vector", "engine")
+    _synonyms: ClassVar[Mapping[str, str]] = synonyms.SEQUENCES
 
     def __init__(
         self, planes: Planes, levels: Sequence[Level], engine: str, lowest: int = 0
