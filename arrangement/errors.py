@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, ClassVar
+from dataclasses import FrozenInstanceError
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 
 class ArrangementError(ValueError):
@@ -177,3 +178,20 @@ class HintsMixin(InstanceHintsMixin, metaclass=_Hints):
     """A value whose class answers so, too; it takes longer to make (0.6 microseconds)."""
 
     __slots__ = ()
+
+
+Hinting = TypeVar("Hinting", bound=InstanceHintsMixin)
+
+
+def hints_on_assignment(cls: type[Hinting]) -> type[Hinting]:
+    """Let values of a frozen dataclass answer an assignment with what makes a changed copy."""
+
+    def refuse(self: Hinting, name: str, value: object) -> None:
+        known, this = cls._synonyms.get(name, name), cls.__name__.lower()
+        use = f"; use dataclasses.replace({this}, {known}=...)" * (known in cls.__annotations__)
+        if f"with_{known}" in dir(cls):
+            use = f"; use {this}.with_{known}(...)"
+        raise FrozenInstanceError(f"{cls.__name__} values are immutable, so {name} is not set{use}")
+
+    cls.__setattr__ = refuse  # type: ignore[method-assign, assignment]
+    return cls

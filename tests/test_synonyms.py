@@ -1,9 +1,13 @@
 """Names of other programs: each target runs, and unknown attributes are answered with it."""
 
+import copy
+import dataclasses
 import doctest
 import json
 import math
+import pickle
 import re
+from dataclasses import FrozenInstanceError
 from importlib import import_module
 from importlib.resources import files
 from pathlib import Path
@@ -230,6 +234,26 @@ def test_json_texts_are_answered():
         assert str(error.value).endswith(f"'to_json'; use {use}")
         if not isinstance(value, type):
             run(use, json=json, **{name: value})
+
+
+@pytest.mark.parametrize(
+    ("value", "name", "use"),
+    [
+        (GRASP[0], "mu", "dataclasses.replace(contact, friction=...)"),
+        (GRASP[0], "preload", "dataclasses.replace(contact, preload=...)"),
+        (GRASP[0], "paint", ""),
+        (GRASP, "friction", "grasp.with_friction(...)"),
+        (GRASP, "contacts", "dataclasses.replace(grasp, contacts=...)"),
+    ],
+)
+def test_assignments_are_answered(value, name, use):
+    with pytest.raises(FrozenInstanceError) as error:
+        setattr(value, name, 1)
+    assert str(error.value).partition("; use ")[2] == use
+    new = value.contacts if name == "contacts" else "1/3"
+    if use:
+        run(use.replace("...", "new"), dataclasses=dataclasses, contact=value, grasp=value, new=new)
+    assert pickle.loads(pickle.dumps(value)) == copy.copy(value) == value
 
 
 def test_other_errors_of_types_stay():

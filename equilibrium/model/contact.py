@@ -22,7 +22,7 @@ from functools import cache, cached_property
 from typing import Any, ClassVar
 
 from arrangement.console.number_form import ReprMixin
-from arrangement.errors import HintsMixin
+from arrangement.errors import HintsMixin, hints_on_assignment
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers import budget
 from arrangement.numbers.exact import (
@@ -53,6 +53,7 @@ IN_SPACE = (
 )
 
 
+@hints_on_assignment
 @dataclass(frozen=True)
 class Contact(HintsMixin, ReprMixin):
     """One frictional contact with a unilateral normal spring.

@@ -16,7 +16,7 @@ import arrangement
 from arrangement.console.number_form import counted
 from arrangement.console.plugins import attached
 from arrangement.console.writing import write_text_atomically
-from arrangement.errors import HintsMixin, missing_item
+from arrangement.errors import HintsMixin, hints_on_assignment, missing_item
 from arrangement.library.arguments import entries, whole
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers import budget
@@ -55,6 +55,7 @@ def ask_contacts(count: int) -> None:
     budget.check_cost(f"{count:,} contacts", "leave out contacts", steps=5000 * count)
 
 
+@hints_on_assignment
 @dataclass(frozen=True)
 class Grasp(HintsMixin, DrawableGrasp):
     """Finitely many contacts on one rigid object, all in the plane or all in space.
