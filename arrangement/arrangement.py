@@ -347,7 +347,7 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
         return counts.union(self, other) if isinstance(other, Planes) else NotImplemented
 
     def deletion(self, *planes: int | Hyperplane) -> Arrangement:
-        """Return the arrangement without the given hyperplanes; see `counts.deletion`."""
+        """Return the arrangement without hyperplanes, or numbers of them; see `counts.deletion`."""
         return counts.deletion(self, planes)
 
     def restriction(self, *planes: int | Hyperplane) -> Arrangement:

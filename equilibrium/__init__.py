@@ -61,7 +61,8 @@ _SYNONYMS = {
     "check": "verify(source)",
     "check_loads": "ResistedSet(grasp).check(wrenches)",
     "contact_modes": "ContactModes.of_grasp(grasp)",
-    "contact_states": "equilibrium.plane.states.contact_states.contact_states",
+    "contact_states": "from equilibrium.plane.states.contact_states import contact_states; "
+    "contact_states(grasp)",
     "draw": "Grasp.draw",
     "epsilon": "GraspWrenchSpace(grasp).epsilon",
     "force_closure": "GraspWrenchSpace(grasp).force_closure",

@@ -33,7 +33,7 @@ from arrangement.numbers.linear.rank import unit_vectors
 from arrangement.numbers.packing import Bits
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.rows import ContactRows
+from equilibrium.model.subject import check_subject, rows_of
 
 Contacts: TypeAlias = tuple[int, ...]
 #: For each contact the sign of its slip along each tangent, all 0 where it sticks; None where it
@@ -256,7 +256,8 @@ class ContactModes(ReprMixin):
         >>> len(modes.contacting_separating), modes.sliding_sticking_count
         (10, 196)
         """
-        rows = grasp.rows if isinstance(grasp, Assembly) else ContactRows.of_grasp(grasp)
+        check_subject(grasp)
+        rows = rows_of(grasp)
         return cls(
             tuple(primitive(row.normal_wrench) for row in rows),
             tuple(tuple(map(primitive, row.tangential_wrenches)) for row in rows),

@@ -33,13 +33,17 @@ from arrangement.console.plugins import lazy_names
 _SYNONYMS = {
     "Exercise": "exercise",
     "check": "evaluate(claim)",
-    "extreme": "own_claims.extreme.extremes(quantity, of, low, high)",
+    "extreme": "from proofs_check.own_claims.extreme import extremes; "
+    "extremes(quantity, of, low, high)",
     "list_claims": "list(registry())",
     "load_claims": "load(path)",
     "read": "load(path)",
     "run": "evaluate(claim)",
-    "try_": "evaluate(own_claims.one_line.one_line_claim(statement, of=of))",
-    "try_claim": "evaluate(own_claims.one_line.one_line_claim(statement, of=of))",
+    **dict.fromkeys(
+        ("try_", "try_claim"),
+        "from proofs_check.own_claims.one_line import one_line_claim; "
+        "evaluate(one_line_claim(statement, of=of))",
+    ),
     "verify": "evaluate(claim)",
 }
 

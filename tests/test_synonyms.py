@@ -8,7 +8,6 @@ import math
 import pickle
 import re
 from dataclasses import FrozenInstanceError
-from importlib import import_module
 from importlib.resources import files
 from pathlib import Path
 from types import SimpleNamespace
@@ -39,9 +38,10 @@ LINES = Arrangement([[1, 0], [0, 1], [1, 1]], [0, 0, 1])
 
 
 def run(expression: str, **names: object) -> None:
-    """Run an expression as a documentation test, which shows its value only if it raises."""
+    """Run an expression, maybe after an import, as a test; show its value only if it raises."""
+    before, separator, last = expression.rpartition("; ")
     example = doctest.DocTestParser().get_doctest(
-        f">>> value = {expression}\n", names, expression, None, 0
+        f">>> {before}{separator}value = {last}\n", names, expression, None, 0
     )
     doctest.DebugRunner().run(example, clear_globs=False)
     assert "value" in example.globs
@@ -124,9 +124,6 @@ VALUES = {
 )
 def test_names_of_segments_and_packages_run(owner, table, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
-    import_module("equilibrium.plane.states.contact_states")
-    import_module("proofs_check.own_claims.extreme")
-    import_module("proofs_check.own_claims.one_line")
     monkeypatch.chdir(tmp_path)
     names = {name: getattr(owner, name) for name in dir(owner)} | vars(owner) | VALUES
     GRASP.save("grasp.json")

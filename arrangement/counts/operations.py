@@ -23,7 +23,7 @@ from arrangement.numbers.exact import (
 )
 from arrangement.numbers.linear.rank import ask_elimination, gauss_jordan, rank, spread
 from arrangement.numbers.symbolic import entries, entry, exact_matrix
-from arrangement.planes.planes import Planes
+from arrangement.planes.planes import Hyperplane, Planes
 
 from .configuration import Indices, indices, pivot_columns
 from .low_rank import MAX_RANK
@@ -59,12 +59,14 @@ def deletion(arrangement: AnyPlanes, planes: Indices) -> AnyPlanes:
 def addition(arrangement: AnyPlanes, normal: Iterable[Any], offset: Any = 0) -> AnyPlanes:
     """Return the arrangement with one more plane, as its last one.
 
-    It is ``normal . x = offset``.
+    It is ``normal . x = offset``, or a hyperplane of other planes, in place of both.
 
     >>> from arrangement import Arrangement
     >>> addition(Arrangement([[1, 0], [0, 1]]), [1, 1], 2).integer_planes
     ((1, 0, 0), (0, 1, 0), (1, 1, 2))
     """
+    if isinstance(normal, Hyperplane):
+        normal, offset = normal
     return _with_planes(
         arrangement, [(*rational_vector(normal, "normal", entry), entry(offset, "offset"))]
     )

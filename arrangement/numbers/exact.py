@@ -69,7 +69,8 @@ def rational(value: Rational, name: str = "number") -> Fraction:
             f"{name} is the float {shown(value)}, expected an exact number; write a string "
             'such as "7/3" or "-0.25"'
             + budget.by_caller(
-                ", or convert on purpose, each array by itself: arrangement.from_floats(values)", ""
+                ", or convert on purpose with arrangement.from_floats(values), each array alone",
+                "",
             )
         )
     numerator, denominator = (getattr(value, k, None) for k in ("numerator", "denominator"))

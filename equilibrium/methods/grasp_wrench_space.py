@@ -44,6 +44,7 @@ from equilibrium.methods.method import PLANE, SPACE, Method, Outcome, cut
 from equilibrium.methods.round_cones import ConeVerdict, Norm, round_cones, with_edges
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.subject import check_subject
 from equilibrium.wrench_sets.slice import polygon_cycle
 
 #: In six dimensions the hull of more edges takes seconds and more.
@@ -75,6 +76,7 @@ class GraspWrenchSpace:
     pyramid: int = 4
 
     def __post_init__(self) -> None:
+        check_subject(self.grasp)
         object.__setattr__(self, "length", rational(self.length, "length"))
         if self.norm not in ("L1", "Linf"):
             raise GraspError(f"norm is {self.norm!r}; it must be 'L1' or 'Linf'")

@@ -109,6 +109,8 @@ def test_planes_may_be_given_as_a_list():
     assert planes.deletion(*planes[::2]) == counts.deletion(planes, planes[::2]) == planes[1:2]
     assert planes.restriction(planes[1]) == counts.restriction(planes, planes[1])
     assert planes.restriction(planes[1]) == planes.restriction(1)
+    assert planes[:2].addition(planes[2]) == planes
+    assert planes[:1].addition(planes[1]) == planes[:2]
     assert planes.restriction([0]) == planes.restriction(0)
     assert planes.localization([0, 2]) == planes.localization(0, 2)
 

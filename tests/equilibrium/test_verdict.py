@@ -13,8 +13,10 @@ from arrangement.errors import InputError
 from equilibrium import (
     Assembly,
     Contact,
+    ContactModes,
     Grasp,
     GraspError,
+    GraspWrenchSpace,
     ResistedSet,
     Verdict,
     compare,
@@ -340,7 +342,16 @@ def test_questions_are_of_all_kinds():
     assert {q.load for q in asked} == {"free", "zero", *BORDERS}
 
 
-@pytest.mark.parametrize("ask", [solve, compare, lambda grasp, _: ResistedSet(grasp)])
+@pytest.mark.parametrize(
+    "ask",
+    [
+        partial(solve, wrench=[0, -1, 0]),
+        partial(compare, wrench=[0, -1, 0]),
+        ResistedSet,
+        GraspWrenchSpace,
+        ContactModes.of_grasp,
+    ],
+)
 @pytest.mark.parametrize(
     ("value", "remedy"),
     [
@@ -352,4 +363,4 @@ def test_questions_are_of_all_kinds():
 )
 def test_other_values_are_not_grasps(ask, value, remedy):
     with pytest.raises(GraspError, match=remedy.replace("(", r"\(").replace(")", r"\)")):
-        ask(value, [0, -1, 0])
+        ask(value)
