@@ -95,6 +95,9 @@ class Grasp(HintsMixin, DrawableGrasp):
         "resists": "solve(grasp, wrench).stable",
         "show": "draw()",
         "slice": "ResistedSet(grasp).slice(u, v)",
+        **dict.fromkeys(
+            ("to_dataframe", "to_pandas"), "pandas.DataFrame([c.to_dict() for c in grasp])"
+        ),
         "solve": "solve(grasp, wrench)",
         "wrench_space": "GraspWrenchSpace(grasp)",
     }
