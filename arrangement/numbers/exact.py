@@ -107,6 +107,10 @@ def _from_text(text: str, name: str) -> Fraction:
         power = int(decimal[2] or 0) - len(decimals)
         digits = integer(whole + decimals)
         return Fraction(digits * 10**power) if power > 0 else Fraction(digits, 10**-power)
+    if _DECIMAL.fullmatch(point := text.replace(",", ".", 1)) and "," in text:
+        raise InputError(
+            f"{name} is {shown(text)}, which is not an exact number; decimals have a point: {point}"
+        )
     raise InputError(
         f'{name} is {shown(text)}, which is not an exact number; write "7/3", "-0.25", "1e-3" or '
         '"12" (exponents of at most four digits, no spaces, no expressions)'

@@ -97,6 +97,8 @@ def _not_linear(line: str, place: str) -> str:
     remedy = f"write such as {_EXAMPLE}"
     if _IRRATIONAL.search(line):
         remedy = 'irrational numbers are written in JSON with the key "field"'
+    if re.search("[<>\u2264\u2265]", line):
+        remedy = f"{remedy}, with = alone; what lies in a polygon is counted with --inside"
     return f"the equation {shown(line)} is not linear in rational numbers near {place}; {remedy}"
 
 

@@ -29,8 +29,15 @@ _SPANNING = ("fx", "fy", "tau")
 #: More incidences than this that rounding kept are only counted.
 _MOST_KEPT = 6
 
-#: In an error, what may be a letter in place of a number.
-_WITH_LETTER = re.compile(r" is '[^A-Za-z' ]*[A-Za-z][^A-Za-z' ]*', which is not an exact number")
+#: Of errors of files, what commands have for it: a letter or a name in place of a number, a load.
+_REMEDIES = {
+    r" is '([^A-Za-z' ]*[A-Za-z][^A-Za-z' ]*|[A-Za-z]+)', which is not an exact number": (
+        "One letter, such as t, is for `resisted --parameter t=0..1`"
+    ),
+    r"unknown keys? '(load|force|wrench|weight)'": (
+        "A load is an option: --wrench F_X F_Y TAU, --force F_X F_Y or --weight W"
+    ),
+}
 
 #: Keys of documents that have units.
 _STATING = {"grasp", "assembly"}
@@ -276,8 +283,9 @@ def read(arguments: argparse.Namespace) -> Grasp:
             arguments.grasp, round_normals=arguments.round_normals, as_given=arguments.as_given
         )
     except InputError as error:
-        if _WITH_LETTER.search(str(error)):
-            raise GraspError(f"{error}. A letter is for `resisted --parameter t=0..1`") from None
+        for pattern, remedy in _REMEDIES.items():
+            if re.search(pattern, str(error)):
+                raise GraspError(f"{error}. {remedy}") from None
         raise
     tell_rounding(conversion)
     arguments.remarks = conversion.remarks

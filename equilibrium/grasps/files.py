@@ -93,6 +93,10 @@ def read_contacts(
     if root := _ROOT.match(text):
         kind = _XML.get(root[1], f"XML with the root <{root[1][:40]}>")
         raise GraspError(f"{name} is {kind}; {_READ}")
+    if source == "-" and text.lstrip()[:1] not in {*"{["}:
+        raise GraspError(
+            "standard input is not JSON; tables are read from files whose names end in .csv"
+        )
     if _SCENE.match(text):
         raise GraspError(
             f"{name} is a scene of `equilibrium draw --model scene`; the value of its key "

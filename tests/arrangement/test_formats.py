@@ -452,6 +452,7 @@ def test_what_is_no_linear_equation_is_refused(text, tmp_path):
         ),
         ("sin(x) = y\ny = 1", "'sin\\(x\\) = y' is not linear"),
         ("x = 0 red\ny = 0 blue", "near '0 red'"),
+        ("2x+3y<=6\nx>=0", "near '<'; write .*, with = alone; .* --inside"),
     ],
 )
 def test_file_with_equality_signs_is_answered_as_equations(text, message, tmp_path):
@@ -536,4 +537,35 @@ def test_table_of_ends_has_segments(tmp_path):
     path.write_text("x1;y1;x2;y2\n0;0;4;4\n0;4;4;0\n")
     assert read_segments(path) == Segments([((0, 0), (4, 4)), ((0, 4), (4, 0))])
     with pytest.raises(InputError, match="holds segments"):
+        read_arrangement(path)
+
+
+@pytest.mark.parametrize(
+    ("text", "equations", "names"),
+    [
+        ("a,b,c\n1,0,2\n1,1,-1/2\n", "x = 2; x + y = -1/2", []),
+        ("name;a;b;c\nfloor;0;1;0\n", "0*x + y = 0", ["floor"]),
+        ("A,B,C,D\n0,0,1,3\n", "0*x + 0*y + z = 3", []),
+    ],
+)
+def test_tables_of_coefficients_are_lines_and_planes(text, equations, names, tmp_path):
+    path = tmp_path / "lines.csv"
+    path.write_text(text)
+    read, expected = read_arrangement(path), read_arrangement(equations)
+    assert read.integer_planes == expected.integer_planes
+    assert list(read.names) == names
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("name,a,b,c,color\nl,1,0,2,red\n", "first line, 'name,a,b,c,color', is not one that is"),
+        ("1,5;0,5\n0,5;2,5\n", "'1,5;0,5' has commas and semicolons; write decimals with a point"),
+        ("a;b;c\n1,5;0;2\n", "'1,5,0,2' is not a,b,c"),
+    ],
+)
+def test_tables_of_planes_that_are_not_read_as_meant_are_refused(text, message, tmp_path):
+    path = tmp_path / "lines.csv"
+    path.write_text(text)
+    with pytest.raises(InputError, match=message):
         read_arrangement(path)

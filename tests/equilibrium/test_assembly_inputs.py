@@ -78,7 +78,7 @@ class TestTable:
         [
             (TABLE.replace("body_b,", "").replace("lower,,", "lower,"), "body_b is missing"),
             (TABLE.replace("upper,lower", "upper,upper"), "expected two bodies"),
-            (TABLE.replace("upper,lower", ",lower"), "1 to 40 characters"),
+            (TABLE.replace("upper,lower", ",lower"), "line 4: body_a is '', the ground"),
             (TABLE.replace("-2,0,90", "x,0,90"), "line 2"),
         ],
     )
@@ -87,6 +87,16 @@ class TestTable:
         path.write_text(text, encoding="utf-8")
         assert main(["solve", str(path), "--on", "upper", "0", "-1", "0"]) == 2
         assert words in capsys.readouterr().err
+
+    @pytest.mark.parametrize("ground", ["ground", "Ground", "fixed", "world", ""])
+    def test_ground_is_fixed_as_second_body_and_refused_as_first(self, ground, tmp_path):
+        path = tmp_path / "box.csv"
+        path.write_text(f"body_a,body_b,x,y,nx,ny,mu\nbox,{ground},0,0,0,1,1\n", encoding="utf-8")
+        assembly = read_assembly(path)
+        assert (assembly.names, assembly.contacts[0].body_b) == (("box",), None)
+        path.write_text(f"body_a,body_b,x,y,nx,ny,mu\n{ground},box,0,0,0,1,1\n", encoding="utf-8")
+        with pytest.raises(GraspError, match=r"line 2: body_a is .*, the ground; exchange it"):
+            read_assembly(path)
 
     def test_table_of_a_grasp_is_not_one(self, tmp_path):
         path = tmp_path / "grasp.csv"

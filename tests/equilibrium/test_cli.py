@@ -1,5 +1,6 @@
 """The command `equilibrium`: JSON contract, exit codes, files whole or not at all."""
 
+import io
 import json
 
 import pytest
@@ -265,3 +266,36 @@ def test_methods_are_chosen_by_name(capsys):
     assert code == 1
     names = [entry["method"] for entry in json.loads(out)["methods"]]
     assert names == ["complete", "cones", "weak"]
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "answer"),
+    [
+        ("a.xlsx", "PK", "'a.xlsx' is a spreadsheet; save it as CSV"),
+        (
+            "-",
+            "x,y,nx,ny,mu\n0,0,0,1,1\n",
+            "standard input is not JSON; tables are read from files",
+        ),
+        (
+            "a.json",
+            '{"schema_version": 1, "contacts": [], "load": ["0", "-1", "0"]}',
+            "A load is an option: --wrench F_X F_Y TAU",
+        ),
+        (
+            "a.json",
+            '[{"point": ["0", "0"], "normal": ["0", "1"], "friction": "mu"}]',
+            "One letter, such as t, is for `resisted --parameter t=0..1`",
+        ),
+        ("a.json", "{}", 'add "schema_version": 1, and the key "contacts"'),
+    ],
+)
+def test_files_that_are_no_grasps_say_what_to_do(
+    capsys, tmp_path, monkeypatch, name, content, answer
+):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(content.encode())))
+    if name != "-":
+        (tmp_path / name).write_text(content)
+    assert main(["solve", name, "--weight", "1"]) == 2
+    assert answer in capsys.readouterr().err

@@ -20,7 +20,8 @@ Segments in R^2 are a document of their own (`read_segments`), for each its two 
 
     {"schema_version": 1, "segments": [[["0", "0"], ["1", "0"]], [["0", "0"], ["1/2", "2"]]]}
 
-A table with the columns ``x,y`` is such a polygon, one with ``x1,y1,x2,y2`` has segments.
+A table with the columns ``x,y`` is such a polygon, one with ``x1,y1,x2,y2`` has segments, one with
+``a,b,c`` lines ax + by = c, with ``a,b,c,d`` planes ax + by + cz = d; ``name`` may come first.
 
 Packages above this one add further kinds of document that stand for an arrangement
 (`arrangement.console.plugins`).
@@ -79,15 +80,16 @@ def figure_of(document: Any, name: str) -> Arrangement | Segments:
 
 
 def document_of_table(text: str, name: str) -> dict[str, Any] | None:
-    """Return the document of a table with the columns x, y, or x1, y1, x2, y2; None for another.
+    """Return the document of a table with one of the headers above; None for another.
 
     Raises:
-        InputError: a row that is not one point, or two.
+        InputError: a row that has not one entry for each column.
     """
     lines = [line for line in map(str.strip, text.splitlines()) if line and line[0] != "#"]
     head, *rows = [re.split(r"\s*[,;\t]\s*", line) for line in lines] or [[]]
     columns = [column.lower() for column in head]
-    if columns not in (["x", "y"], ["x1", "y1", "x2", "y2"]):
+    plain = columns[columns[:2] == ["name", "a"] :]
+    if plain not in ([*"xy"], ["x1", "y1", "x2", "y2"], [*"abc"], [*"abcd"]):
         return None
     for row in rows:
         if len(row) != len(columns):
@@ -95,6 +97,16 @@ def document_of_table(text: str, name: str) -> dict[str, Any] | None:
                 f"{name}: {shown(','.join(row))} is not {','.join(columns)}; write numbers with "
                 "commas between, and points in lines of a file or as 0,0; 4,0; 0,4"
             )
+    if plain[0] == "a":
+        first = len(columns) - len(plain)
+        names = {"names": [row[0] for row in rows]} if first else {}
+        planes = [row[first:-1] for row in rows]
+        return {
+            "schema_version": 1,
+            "planes": planes,
+            "offsets": [row[-1] for row in rows],
+            **names,
+        }
     if len(columns) == 2:
         return {"schema_version": 1, "polygon": rows}
     return {"schema_version": 1, "segments": [[row[:2], row[2:]] for row in rows]}

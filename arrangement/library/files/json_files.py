@@ -85,15 +85,20 @@ def check_keys(
     """Check that `mapping` is a mapping with all required keys and no unknown ones; return it."""
     if not isinstance(mapping, Mapping):
         raise InputError(f"{where} is {kind_of(mapping)}; expected a JSON object")
+    required = list(required)
     known = [*required, *optional]
-    for key in mapping:
-        if key not in known:
-            raise InputError(
-                f"{where} has the unknown key {shown(key)}; known keys are {', '.join(known)}"
-            )
-    for key in required:
-        if key not in mapping:
-            raise InputError(f'{where} has no key "{key}"; it is required')
+    unknown = [shown(key) for key in mapping if key not in known]
+    missing = [f'"{key}"' for key in required if key not in mapping]
+    if unknown:
+        some = f"key{'s' * (len(unknown) > 1)} {', '.join(unknown[:4])}"
+        lacks = f", and lacks {', '.join(missing)}" if missing else ""
+        raise InputError(
+            f"{where} has the unknown {some}{lacks}; known keys are {', '.join(known)}"
+        )
+    if missing:
+        due = "they are" if missing[1:] else "it is"
+        keys = f"key{'s' * (len(missing) > 1)} {', '.join(missing)}"
+        raise InputError(f"{where} has no {keys}; {due} required")
     if not isinstance(mapping.get("description", ""), str):
         raise InputError(f"the description of {where} is not a text; write a string")
     return mapping
@@ -143,6 +148,8 @@ def read_text(source: str | os.PathLike[str], kind: str = "bytes of a file") -> 
         InputError: it cannot be read, is longer than `budget.MAX_SIZES` says, or is not UTF-8.
     """
     name = "standard input" if source == "-" else shown(_path_text(source))
+    if re.search(r"\.(xlsx?|ods|numbers)$", _path_text(source), re.IGNORECASE):
+        raise InputError(f"{name} is a spreadsheet; save it as CSV, and give the file .csv")
     try:
         return read_bytes(source, name, kind).decode("utf-8-sig"), name
     except UnicodeDecodeError as error:
@@ -242,20 +249,23 @@ def _check_kind(
     document: dict[str, Any], kinds: Collection[str], name: str, versions: Collection[int]
 ) -> None:
     """Check the version of the schema, and that the document is of exactly one of the kinds."""
+    present = [kind for kind in kinds if kind in document]
+    one = f"exactly one of the keys {', '.join(sorted(kinds))}"
+    if len(kinds) == 1:
+        one = f'the key "{min(kinds)}"'
     if "schema_version" not in document:
-        due = max(versions)
-        raise InputError(f'{name} has no key "schema_version"; add "schema_version": {due}')
+        also = f", and {one}" if len(present) != 1 else ""
+        raise InputError(
+            f'{name} has no key "schema_version"; add "schema_version": {max(versions)}{also}'
+        )
     version = document["schema_version"]
     if type(version) is not int or version not in versions:
         raise InputError(
             f"{name} has schema_version {shown(version)}; this version reads {max(versions)}"
         )
-    present = [kind for kind in kinds if kind in document]
     if len(present) != 1:
         text = " and ".join(present) if present else "none"
-        raise InputError(
-            f"{name} must have exactly one of the keys {', '.join(sorted(kinds))}; it has {text}"
-        )
+        raise InputError(f"{name} must have {one}; it has {text}")
 
 
 def kind_of(value: Any) -> str:

@@ -11,7 +11,7 @@ decimals or ratios, as ``-0.25``, ``7/3``; between semicolons or tabs also ``-0,
 have any length; one of irrational length is replaced by a near unit vector and the error reported.
 
 A table of an assembly also has ``body_a``, into which the normal points, and ``body_b``; the ground
-is an empty entry or the word ``ground``.
+is an empty entry or the word ``ground``, ``fixed`` or ``world``, in ``body_b`` alone.
 """
 
 from __future__ import annotations
@@ -48,7 +48,8 @@ _REQUIRED = ("x", "y", "normal_x", "normal_y", VALUES[0])
 _IN_SPACE = ("z", "normal_z")
 _ANGLE = "angle"
 BODIES = ("body_a", "body_b")
-GROUND = ("", "ground")
+#: In small letters.
+GROUND = ("", "ground", "fixed", "world")
 _KNOWN = (*BODIES, *_REQUIRED, *_IN_SPACE, _ANGLE, *VALUES[1:], *EXTRAS)
 #: Usual names of columns; those of coordinates and normals have the letter of an axis.
 _USUAL = {
@@ -199,6 +200,20 @@ def tangential_arrangement(text: str) -> Arrangement | None:
     return conversion.grasp.tangential_arrangement()
 
 
+def pair_of(first: str, second: str) -> tuple[str, str | None]:
+    """Return the bodies of a contact, None for the ground as the second.
+
+    Raises:
+        GraspError: the first is the ground, into which no normal points.
+    """
+    if first.lower() in GROUND:
+        raise GraspError(
+            f"body_a is {shown(first)}, the ground; exchange it with body_b, and let the normal "
+            "point into body_a, away from the ground"
+        )
+    return first, None if second.lower() in GROUND else second
+
+
 def exact_contacts(how: Rounding | None = None) -> Convert:
     """Return what makes contacts of exact numbers; it rounds normals of irrational length."""
     used = how or rounding(0, DEFAULT_TOLERANCE, DEFAULT_TOLERANCE, False)
@@ -227,8 +242,7 @@ def read_rows(
             raise GraspError("the table has bodies; expected a grasp. `read_assembly` reads it")
         with _named(line):
             if pairs is not None:
-                first, second = (row.pop(name) for name in BODIES)
-                pairs.append((first, None if second in GROUND else second))
+                pairs.append(pair_of(*(row.pop(name) for name in BODIES)))
             exact = {key: rational(row.pop(key), key) for key in (_ANGLE, *EXTRAS) if key in row}
             entries = {name: number(entry, name) for name, entry in row.items()}
         if _ANGLE in exact:

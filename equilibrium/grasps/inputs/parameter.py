@@ -13,7 +13,7 @@ from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.parameter import ParametricQuestion
 
-from .csv_file import BODIES, GROUND, Table, is_table
+from .csv_file import BODIES, Table, is_table, pair_of
 
 _RANGE = re.compile(r"\s*([A-Za-z]\w*)\s*=\s*(\S+?)\s*\.\.\s*(\S+?)\s*")
 
@@ -88,8 +88,8 @@ def _of_table(table: Table) -> dict[str, Any]:
             entry["normal"] = [row["normal_x"], row["normal_y"]]
         entry |= {key: row[key] for key in VALUES if key in row}
         if BODIES[0] in row:
-            first, second = (row[name] for name in BODIES)
-            entry |= {"body_a": first, "body_b": None if second in GROUND else second}
-            names |= {first: None} | ({} if second in GROUND else {second: None})
+            pair = pair_of(*(row[name] for name in BODIES))
+            entry |= dict(zip(BODIES, pair, strict=True))
+            names |= dict.fromkeys(name for name in pair if name is not None)
         contacts.append(entry)
     return {"schema_version": 1, **({"bodies": list(names)} if names else {}), "contacts": contacts}

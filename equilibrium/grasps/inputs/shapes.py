@@ -335,7 +335,7 @@ def _of_table(text: str) -> dict[str, Any]:
         if last == (name, kind) and isinstance(data, list):
             shapes[-1][kind] += data
         else:
-            shapes.append({"name": "ground" if name in GROUND else name, kind: data})
+            shapes.append({"name": "ground" if name.lower() in GROUND else name, kind: data})
         shapes[-1] |= extra
         last = name, kind
     bodies = [shape for shape in shapes if shape["name"] != "ground"]

@@ -19,6 +19,8 @@ from arrangement.numbers.exact import shown
 from arrangement.planes.equation_text import equation_text, is_equation, planes_of_text
 
 _REMARK = re.compile(r"#.*")
+#: A first line with the names of columns.
+_HEAD = re.compile(r"\s*\"?[A-Za-z_].*[,;\t].*")
 _MATRIX = re.compile(r"(?=[^0-9]*[0-9])[-+0-9./eE,;|()\[\]\s]+")
 #: A number or a list of JSON, where there would be one row here.
 _VALUE = re.compile(r"\[[^[]*|[-+0-9./eE]+")
@@ -66,6 +68,11 @@ def numbers(line: str) -> list[str]:
     marks = set(plain) & set("()[],;")
     if not marks:
         return plain.split() or [""]
+    if marks == set(",;"):
+        raise InputError(
+            f"the line {shown(line)} has commas and semicolons; write decimals with a point, and "
+            "one normal a line"
+        )
     if marks - set(",;"):
         raise InputError(f"the line {shown(line)} has brackets inside; write one normal a line")
     return re.split(r"\s*[\s,;]\s*", plain.strip())
@@ -74,6 +81,12 @@ def numbers(line: str) -> list[str]:
 def read(text: str) -> Arrangement:
     """Read a normal from each line."""
     plain = _BETWEEN.sub("\n", _REMARK.sub("", text))
+    if head := _HEAD.match(plain):
+        raise InputError(
+            f"the first line, {shown(head[0].strip())}, is not one that is known: a,b,c (lines "
+            "ax + by = c), name,a,b,c, a,b,c,d (planes), x,y (corners), x1,y1,x2,y2 (segments), "
+            "x,y,normal_x,normal_y,friction (contacts), or numbers alone (normals)"
+        )
     if not set(plain) & set("()[],;|"):
         return Arrangement(list(filter(None, map(str.split, plain.splitlines()))))
     lines = [line for line in plain.splitlines() if line.strip(" \t()[],;")]
