@@ -73,6 +73,14 @@ _SYNONYMS: Mapping[str, str] = {
 _TOKEN = re.compile(r"\w+|\s+|[<>=!]=|.", re.DOTALL)
 #: Signs of mathematics, as Python has them.
 _SIGNS = {"^": "**", "=": "==", "≤": "<=", "≥": ">=", "≠": "!="}
+#: Of texts that cannot be read, what they may have, each with what to write.
+_REMEDIES = {
+    r"[\u00b9\u00b2\u00b3\u2070-\u209f]": ("a raised or lowered number", "m**2"),
+    r"\bif\b|\bthen\b|=>|\u21d2": ("a condition", "simple implies regions <= m**2"),
+    r"\bnumber of\b": ("words for a quantity", "regions, not number of regions"),
+    r"[\w)]\s*!(?!=)": ("a factorial", "factorial(m)"),
+    r"\d\s*(?!implies|and|or|in|not)[A-Za-z(]|\)\s*\(": ("a product without its sign", "2*m"),
+}
 _BEFORE_OPERANDS = {"and", "or", "not", "in", "implies", "if", "else"}
 
 
@@ -113,9 +121,13 @@ def _read(text: str, names: Collection[str]) -> tuple[ast.expr, _PartTypes]:
         tree = ast.parse("".join(piece.python for piece in pieces), mode="eval").body
         depth = _depth(tree)
     except (SyntaxError, ValueError, MemoryError, RecursionError):
-        raise OwnClaimError(
-            f'{shown(text)} cannot be read; write a comparison such as "p_vector.get(3, 0) >= m"'
-        ) from None
+        uses = (
+            f"has {what[0]}, {match[0]!r}, which is not read; write such as {what[1]}"
+            for pattern, what in _REMEDIES.items()
+            if (match := re.search(pattern, text))
+        )
+        default = "cannot be read; write a comparison such as regions <= m**2"
+        raise OwnClaimError(f"{shown(text)} {next(uses, default)}") from None
     if depth > _MAX_DEPTH:
         raise OwnClaimError(
             f"the claim has {depth} operations inside each other; expected at most {_MAX_DEPTH}. "
@@ -280,6 +292,10 @@ class _PartTypes:
                 self._mapping(value, node)
                 return _VECTOR
             case ast.Call(func=ast.Name(id=name), args=[_, *_] as given):
+                if name in (*QUANTITIES, *self.names):
+                    kind = self.of(node.func)
+                    use = f"{name}*(...)" if kind == _NUMBER else f"{name}[index]"
+                    raise OwnClaimError(f"{self.text(node)} calls {name}, {kind}; write {use}")
                 if name not in _ARGUMENTS:
                     raise self._unknown_name(name, "a function")
                 self._arguments(name, given, node)
