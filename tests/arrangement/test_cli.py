@@ -4,6 +4,7 @@ import io
 import json
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import pytest
 from arrangement import Arrangement, read_arrangement
 from arrangement.cli import main
 from arrangement.counts import essentialization
+from arrangement.library.files import json_files
 
 Capture = pytest.CaptureFixture[str]
 
@@ -157,6 +159,24 @@ def test_a_guess_of_the_field_is_answered(capsys):
         assert answer in capsys.readouterr().err
     assert main(["count", "A3"]) == 2
     assert "did you mean the built-in braid-a3" in capsys.readouterr().err
+    for name, answer in (
+        ("braid:3", "braid-a3? Or write arrangement make braid --n 4 -o FILE.json and"),
+        ("regular polygon 7", "; write arrangement make polygon --corners 6 -o FILE.json and"),
+    ):
+        assert main(["count", name]) == 2
+        assert answer in capsys.readouterr().err
+    assert main(["count", "polygon.json"]) == 2
+    assert "write" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", json_files.MADE.values())
+def test_commands_that_make_what_has_no_name_work(command, capsys, tmp_path):
+    program, *words = command.split()
+    run = import_module(
+        "equilibrium.cli.program" if program == "equilibrium" else "arrangement.cli"
+    )
+    assert run.main([*words, "-o", str(tmp_path / "made.json")]) == 0
+    assert (tmp_path / "made.json").is_file()
 
 
 def test_regions_bounded_in_the_span_of_the_normals_are_counted(capsys, tmp_path):

@@ -156,6 +156,17 @@ def read_text(source: str | os.PathLike[str], kind: str = "bytes of a file") -> 
         raise InputError(f"{name} is not UTF-8 text (byte {error.start} is wrong)") from None
 
 
+#: Parts of names of what is made, in small letters, with an example of a command.
+MADE = {
+    "arch": "equilibrium make arch",
+    "braid": "arrangement make braid --n 4",
+    "catalan": "arrangement make catalan --type A2",
+    "gon": "arrangement make polygon --corners 6",
+    "shi": "arrangement make shi --type A2",
+    "stack": "equilibrium make stack",
+}
+
+
 def read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
     """Return the content of stdin, a built-in document or a file, with a limit on its length."""
     try:
@@ -179,6 +190,9 @@ def read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
         meant = "" if os.sep in str(source) else "; `list` prints the built-in names"
         if near:
             meant = f"; did you mean the built-in {' or '.join(near)}?"
+        made = [command for word, command in MADE.items() if word in short]
+        if made and not re.search(r"[/.]", short):
+            meant += f"{' Or' if near else ';'} write {made[0]} -o FILE.json and give FILE.json"
         raise InputError(f"cannot read {name}: {reason(error)}{meant}") from None
 
 
