@@ -422,7 +422,7 @@ def test_bare_list_of_contacts_is_a_grasp(tmp_path):
         ("<html>", "is XML with the root <html>"),
         (document_text(SCENE.document()), "is a scene of `equilibrium draw --model scene`"),
         ('[{"point": ["1", "0"]}]', "holds a list; a document is a JSON object"),
-        ('[{"normal": [0.5, 1]}]', 'contacts\\[0\\] has no key "point"'),
+        ('[{"normal": [0.5, 1]}]', 'contacts\\[0\\] has no keys "point", "friction"'),
     ],
 )
 def test_other_file_is_named(tmp_path, text, message):
