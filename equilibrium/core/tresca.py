@@ -28,7 +28,7 @@ _MAX_STEPS = 25
 #: Change of a limit, as a share of the load, at which the limits are a fixed point.
 _FIXED = 1e-7
 #: The weighted motion is what forces leave of the load: with more they do not balance it.
-_UNBALANCED = 1e-6
+_UNBALANCED = 1e-5
 #: Error that ends the solution of one program.
 _PROGRAM_ERROR = 1e-11
 #: The first limit of every contact, as a multiple of the load.
