@@ -567,6 +567,7 @@ CASES += [
             "is about a list of instances",
             {"mine.py": claims('@claim("s", of=[1, 2])\ndef f(k): return k < 3\n')},
         ),
+        ("grade a.csv", "exercises are a Python file", {"a.csv": "student,a\n"}),
         ("grade q.py", "has no exercises", {"q.py": "x = 1"}),
         ("run --verified own.py", "--verified is for the claims of the paper", {"own.py": ""}),
         (

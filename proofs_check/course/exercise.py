@@ -161,6 +161,11 @@ def load_exercises(path: str) -> dict[str, Exercise]:
             name: Exercise(name, task, "link", 1, judge)
             for name, (task, judge) in lab_judges(path).items()
         }
+    if (ending := Path(path).suffix.lower()) not in ("", ".py"):
+        raise OwnClaimError(
+            f"{path} ends in {ending}; exercises are a Python file, those of a lab a JSON file. "
+            "Answers come behind it: grade FILE.py ANSWERS.json"
+        )
     exercises = defined(path, Exercise, "exercises; decorate a function with @exercise(...)")
     named = {one.id: one for one in exercises}
     if len(named) < len(exercises):

@@ -478,6 +478,9 @@ def test_csv_numbers_may_have_decimal_commas(separator):
     [
         ("x [mm],y [m],angle,mu,q", r"'y \[m\]' is in m, others in mm; nothing is converted"),
         ("x,y,angle [rad],mu,q", "is in rad; expected degrees"),
+        ("x,y,angle,friction (deg),q", "of a friction angle its tangent"),
+        ("x,y,angle,friction angle (deg),q", "write friction, its tangent"),
+        ("x,y,angle,mu [rad],q", "of a friction angle its tangent"),
         ("x [m],y [m],angle,mu,k [N/mm]", None),
         ("x,y,angle,rubbing,q", "the column friction is missing; write it for 'rubbing'"),
         ("x,y,angle,frict,q", "the column friction is missing; write it for 'frict'"),

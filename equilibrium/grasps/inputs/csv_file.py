@@ -367,6 +367,11 @@ class Table:
         for entry, name, unit in stated:
             if name == _ANGLE and unit is not None and unit.lower() not in _DEGREES:
                 raise GraspError(f"the column {entry} is in {unit}; expected degrees")
+            if name.startswith("friction") and unit not in (None, "", "-", "1"):
+                raise GraspError(
+                    f"the column {entry} is in {unit}; expected friction, a number without a unit: "
+                    "of a friction angle its tangent"
+                )
             if name == "stiffness" and unit and len(known) == 2:
                 expected = f"{known['force']}/{known['length']}"
                 if unit.replace(" ", "") != expected:
@@ -393,6 +398,8 @@ def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:
     allowed = (*keys, *(x for x in _KNOWN if x not in BODIES)) if keys else _KNOWN
     unknown = [name for name in header if name not in allowed]
     missing = [name for name in required if name not in header]
+    if angles := [name for name in unknown if "friction" in name and "angle" in name]:
+        raise GraspError(f"the column {shown(angles[0])} is unknown; write friction, its tangent")
     if missing:
         near = unknown if len(unknown) == 1 else get_close_matches(missing[0], unknown, 1, 0.5)
         meant = f"; write it for {shown(near[0])}, if that is meant" if near else ""
