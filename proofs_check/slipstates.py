@@ -10,10 +10,13 @@ on list the names of a package; a name that is asked of this module is answered 
 
 from __future__ import annotations
 
+import sys
+
 import arrangement as arrangement
 import equilibrium as equilibrium
 import proofs_check as proofs_check
 from arrangement import __version__ as __version__
+from arrangement.console.plugins import to_importer
 
 __all__ = ["arrangement", "equilibrium", "proofs_check"]
 
@@ -22,11 +25,13 @@ def __getattr__(name: str) -> object:
     for package in (arrangement, equilibrium, proofs_check):
         if name in dir(package):
             where = package.__name__
-            raise AttributeError(f"{name} is in {where}: from {where} import {name}", name=name)
-    raise AttributeError(
-        f"module 'slipstates' has no attribute {name!r}; help(slipstates) says where things are",
-        name=name,
-    )
+            told = f"{name} is in {where}: from {where} import {name}"
+            break
+    else:
+        told = (
+            f"module 'slipstates' has no attribute {name!r}; help(slipstates) says where things are"
+        )
+    raise to_importer(AttributeError(told, name=name), sys._getframe(1))
 
 
 if __name__ == "__main__":

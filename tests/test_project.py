@@ -44,6 +44,8 @@ def test_name_of_the_distribution_says_where_things_are():
     for name, package in (("Arrangement", "arrangement"), ("Grasp", "equilibrium")):
         with pytest.raises(AttributeError, match=f"from {package} import {name}"):
             getattr(slipstates, name)
+        with pytest.raises(ImportError, match=f"from {package} import {name}"):
+            exec(f"from {slipstates.__name__} import {name}")  # noqa: S102
     with pytest.raises(AttributeError, match="says where things are"):
         slipstates.nothing  # noqa: B018
     # Where the package is installed, it is the module `slipstates`.

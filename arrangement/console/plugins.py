@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from importlib import import_module
 from importlib.util import find_spec
 from opcode import opname
+from types import FrameType
 from typing import Any
 
 from arrangement.errors import missing_attribute
@@ -59,6 +60,12 @@ def named(place: str) -> Any:
     return getattr(import_module(module), name)
 
 
+def to_importer(error: AttributeError, caller: FrameType) -> AttributeError | ImportError:
+    """Return an error about a name of a module; to an import Python would leave out its hint."""
+    imports = opname[caller.f_code.co_code[caller.f_lasti]] == "IMPORT_FROM"
+    return ImportError(str(error), name=error.name) if imports else error
+
+
 def lazy_names(
     package: str, file: str, synonyms: Mapping[str, str] | None = None
 ) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
@@ -88,9 +95,7 @@ def lazy_names(
         if name == "__all__" and caller.f_globals.get("__name__") != "pydoc":
             return names()
         error = missing_attribute(sys.modules[package], name, synonyms or {})
-        if opname[caller.f_code.co_code[caller.f_lasti]] == "IMPORT_FROM":
-            raise ImportError(str(error), name=package)  # Python would leave out the hint
-        raise error
+        raise to_importer(error, caller)
 
     return get, names
 
