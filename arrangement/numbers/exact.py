@@ -46,7 +46,8 @@ def rational(value: Rational, name: str = "number") -> Fraction:
 
     Accepted: ``int``, ``Fraction``, sympy ``Rational``, numpy integers, flint and gmpy rationals,
     and text such as ``"7/3"``, ``"-0.25"`` or ``"-1e-3"`` (ASCII digits, an exponent of at most
-    four digits, at most 100000 characters). Refused: floats, Booleans, NaN, everything else.
+    four digits, at most 100000 characters). Refused: floats, Booleans, NaN, everything else. A
+    function of `arrangement.numbers.functions` is returned as it is.
 
     Raises:
         InputError: the message has `name`, the value, the rule and the remedy.

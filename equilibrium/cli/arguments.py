@@ -89,6 +89,17 @@ def add_grasp(parser: Any, name: str, number: Any = None, preload: bool = True) 
         add_number(parser, "--preload", None, text, metavar="P")
 
 
+def contact_number(text: str) -> int:
+    """Read the number of a contact."""
+    try:
+        return values.count_argument(text)
+    except argparse.ArgumentTypeError:
+        raise argparse.ArgumentTypeError(
+            f"{shown(text)} is not the number of a contact; write numbers from 1 on, such as 1 2. "
+            "Their friction and preload stand in the file"
+        ) from None
+
+
 def built_in() -> Iterable[str]:
     """Return the names of the built-in grasps."""
     from arrangement.library.files.json_files import described

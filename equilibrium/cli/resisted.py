@@ -22,6 +22,7 @@ from .arguments import (
     add_wrench,
     applied,
     bodies_of,
+    contact_number,
     force_given,
     grasp_of,
     has_load,
@@ -67,7 +68,7 @@ def add_command_resisted(commands: Any) -> None:
     text = "print how far the load may be scaled, and the preload and friction that resist it"
     parser.add_argument("--margin", action="store_true", help=text)
     text = "with --margin: the preload and the friction of these contacts; the others keep theirs"
-    numbers = values.contact_argument
+    numbers = contact_number
     parser.add_argument("--contacts", nargs="+", type=numbers, metavar="NUMBER", help=text)
     text = "with --contacts: one more wrench that the preload has to resist; repeatable"
     parser.add_argument(

@@ -240,7 +240,7 @@ class ParametricQuestion:
 
     def _value(self, expression: Expression, value: Any, name: str) -> Any:
         if not isinstance(expression, Expression):
-            raise GraspError(f'{name} is no number or expression; write such as "2*t"')
+            raise GraspError(f'{name} is not a number or an expression; write such as "2*t"')
         try:
             return expression.value(value, _turn(value) if self.is_angle else None)
         except (ZeroDivisionError, Undecided):

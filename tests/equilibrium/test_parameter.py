@@ -289,7 +289,7 @@ def test_what_is_accepted_after_a_change_is_true(answers, count):
         ({"contacts": [*LADDER["contacts"], "x"]}, "contacts.2. is 'x'; expected a JSON object"),
         ({"contacts": [*LADDER["contacts"], None]}, "contacts.2. is null; expected a JSON object"),
         ({"contacts": [LADDER["contacts"][0] | {"normal": "1"}]}, "expected a list"),
-        (grasp((("0", "0"), ("0", []), "t"), wrench="012"), "no number or expression"),
+        (grasp((("0", "0"), ("0", []), "t"), wrench="012"), "is not a number or an expression"),
         (grasp((("0", "0"), ("t", "1"), "1"), wrench="012"), "no rational function"),
         (grasp((("0", "0"), ("t", "t"), "1"), wrench="012"), "no rational function|normal is 0"),
         (grasp((("0", "0"), ("0", "1"), "t - 1"), wrench="012"), "friction is (t - 1|-1/2)"),

@@ -26,7 +26,7 @@ from typing import Any, NoReturn
 from arrangement.console.safe_text import error_text
 from arrangement.numbers.exact import shown
 
-from .values import MAX_COUNT, contact_argument, rational_argument
+from .values import MAX_COUNT, rational_argument
 
 _BAD_INPUT = 2
 #: Options of all commands, which no misspelt one is answered with.
@@ -234,7 +234,7 @@ class Parser(argparse.ArgumentParser):
 
 def _numbers_after(option: argparse.Action) -> int:
     """Return how many numbers an option takes at most."""
-    if option.nargs == "+" and option.type in (contact_argument, rational_argument):
+    if option.nargs == "+" and (option.type is rational_argument or option.metavar == "NUMBER"):
         return MAX_COUNT  # points keep their commas
     numbers = isinstance(option.nargs, int) and option.type in (None, rational_argument)
     return option.nargs if numbers else 0  # type: ignore[return-value]

@@ -37,17 +37,6 @@ def count_argument(text: str) -> int:
     return int(text)
 
 
-def contact_argument(text: str) -> int:
-    """Read the number of a contact."""
-    try:
-        return count_argument(text)
-    except argparse.ArgumentTypeError:
-        raise argparse.ArgumentTypeError(
-            f"{shown(text)} is not the number of a contact; write numbers from 1 on, such as 1 2. "
-            "Their friction and preload stand in the file"
-        ) from None
-
-
 def integer_argument(text: str) -> int:
     """Read a whole number of ordinary size, such as a dimension or a seed."""
     if re.fullmatch(r"-?[0-9]{1,18}", text, re.ASCII) is None:

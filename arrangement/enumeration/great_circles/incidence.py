@@ -98,7 +98,7 @@ def sort_crossings(normals: Integers) -> Crossings:
 
 
 def _sort_block(signs: ExactSigns, block: slice, crossings: Crossings) -> None:
-    """Fill the rows of `found` for a block of circles."""
+    """Fill the rows of `crossings` for a block of circles."""
     slopes, backward = signs.slopes(block)
     count = slopes.shape[1]
     own = np.arange(block.start, block.stop)

@@ -316,8 +316,14 @@ class Table:
             raise GraspError(f"line {self._reader.line_num}: {error}") from None
 
     def rows(self, check: Callable[[list[str]], None]) -> Rows:
-        """Yield line numbers and entries by column, whose names a function may refuse."""
+        """Yield line numbers and entries by column, whose names a function may refuse.
+
+        Raises:
+            GraspError: units that do not fit together or their columns, or a line that does not
+                fit the first one.
+        """
         check(self.names)
+        self._stated_units()
         while (entries := self._next_entries()) is not None:
             if len(entries) != len(self.names):
                 raise GraspError(
