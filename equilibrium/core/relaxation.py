@@ -287,7 +287,7 @@ class Programs:
         )
 
     def _new_layout(self, shapes: tuple[int, ...], _: float) -> _ConeLayout:
-        # Questions share what has no numbers.
+        # Layouts have no numbers of a grasp, so all grasps share them.
         return copy(_cone_layout(self._n, *[self.shapes[k] for k in shapes]))
 
 
