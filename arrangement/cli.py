@@ -516,8 +516,8 @@ def _list(arguments: argparse.Namespace) -> int:
     if arguments.classes is not None:
         return commands.list_classes(arguments)
     if arguments.families:
-        return terminal.print_names(commands.described(), arguments.json)
-    return terminal.print_names(json_files.described("planes"), arguments.json)
+        return terminal.print_names(commands.family_descriptions(), arguments.json)
+    return terminal.print_names(json_files.descriptions("planes"), arguments.json)
 
 
 def _convert(arguments: argparse.Namespace) -> int:

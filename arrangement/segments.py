@@ -12,7 +12,7 @@ from arrangement.enumeration.subdivision import Pieces, segment_sheet
 from arrangement.errors import HintsMixin, InputError
 from arrangement.numbers.exact import RationalVector, rational_vector, shown
 from arrangement.numbers.real import field_of, written
-from arrangement.numbers.symbolic import entry, in_one_field, listed
+from arrangement.numbers.symbolic import as_list, entry, in_one_field
 from arrangement.planes.planes import Names, checked_names
 from arrangement.planes.polygon import line_through
 
@@ -43,7 +43,7 @@ class Segments(HintsMixin):
     _synonyms: ClassVar[Mapping[str, str]] = synonyms.SEGMENTS
 
     def __init__(self, ends: Iterable[_Points], names: Names = ()) -> None:
-        given = [listed(pair, "ends") for pair in listed(ends, "segments")]
+        given = [as_list(pair, "ends") for pair in as_list(ends, "segments")]
         for i, pair in enumerate(given):
             if len(pair) != 2:
                 raise InputError(f"segments[{i}] is {shown(pair)}; give two points, its ends")

@@ -13,7 +13,7 @@ import shapely
 from arrangement import InputError, read_arrangement
 from arrangement.drawing.output import PICTURES, own_settings, picture_bytes
 from arrangement.drawing.path_artist import figure
-from arrangement.drawing.scene import Item, Label, Path, Scene, flattened, measure
+from arrangement.drawing.scene import Item, Label, Path, Scene, curve_points, measure
 from arrangement.drawing.tikz import tikz
 from arrangement.drawing.views import Drawings
 from arrangement.library.families import generic
@@ -108,7 +108,7 @@ def shape_of(item: Path) -> Any:
     if item.kind == "circle":
         return shapely.Point(item.points).buffer(item.radius).exterior
     if item.kind == "curve":
-        return shapely.LineString(np.vstack([flattened(item.points), item.points[-1:]]))
+        return shapely.LineString(np.vstack([curve_points(item.points), item.points[-1:]]))
     points = item.points if item.kind == "line" else np.vstack([item.points, item.points[:1]])
     return shapely.LineString(points)
 

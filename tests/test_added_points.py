@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from arrangement import Arrangement, InputError, read_arrangement
-from arrangement.drawing.layout import laid_out
+from arrangement.drawing.layout import lay_out
 from arrangement.drawing.scene import Item, Mark
 from arrangement.library.families import generic, shi
 from arrangement.pictures import compose
@@ -27,7 +27,7 @@ LOAD = ("1/2", "1/4", 0)
 
 def item(figure: Any, name: str) -> Item:
     """Return an element of a picture with its legend."""
-    (found,) = [item for item in laid_out(figure.scene).items if item.name == name]
+    (found,) = [item for item in lay_out(figure.scene).items if item.name == name]
     return found
 
 
@@ -135,7 +135,7 @@ def test_points_of_the_sphere_are_on_the_circles_of_their_planes(view, coordinat
     planes = generic(4, 3)
     figure = planes.draw(view, coordinates=coordinates)
     arcs: dict[str, list[Any]] = {}
-    for found in laid_out(figure.scene).items:
+    for found in lay_out(figure.scene).items:
         kind, _, rest = found.name.partition("-")
         if kind in ("front", "arc"):
             arcs.setdefault(rest.partition("-")[0], []).extend(found.points[[0, -1]])
@@ -157,7 +157,7 @@ def test_points_of_the_sphere_are_on_the_circles_of_their_planes(view, coordinat
 
 def corners(figure: Any, kind: str) -> np.ndarray[Any, Any]:
     """Return the corners of all elements of a kind, in points."""
-    found = [x.points for x in laid_out(figure.scene).items if x.name.startswith(kind)]
+    found = [x.points for x in lay_out(figure.scene).items if x.name.startswith(kind)]
     return np.vstack(found)
 
 
@@ -180,7 +180,7 @@ def test_points_of_cells_move_with_their_cell(explode):
     seen = 0
     for face in SIMPLEX.regions():
         name = "cell-" + "".join("0+-"[sign] for sign in face.signs)
-        items = [x for x in laid_out(figure.scene).items if x.name.startswith(name)]
+        items = [x for x in lay_out(figure.scene).items if x.name.startswith(name)]
         for vertex in VERTICES if items else ():
             if face.contains(vertex, closed=True):
                 inside = [

@@ -21,11 +21,11 @@ from PIL import Image
 
 from arrangement import Arrangement, ArrangementError, InputError, read_arrangement
 from arrangement.cli import main as draw_planes
-from arrangement.drawing.layout import BELOW, laid_out, picture_width
+from arrangement.drawing.layout import BELOW, lay_out, picture_width
 from arrangement.drawing.output import font_settings, own_settings, picture_bytes
 from arrangement.drawing.path_artist import Paths, figure, into
 from arrangement.drawing.scene import ROLES, Ball, Item, Label, Mark, Path as Drawn, Scene, measure
-from arrangement.drawing.themes import _from_oklab, _oklab, themed
+from arrangement.drawing.themes import _from_oklab, _oklab, apply_theme
 from arrangement.drawing.tikz import tex_text, tikz
 from arrangement.library.families import catalan, generic, shi
 from arrangement.numbers import exact
@@ -141,7 +141,7 @@ OTHER_OPTIONS: list[tuple[str, str, dict[str, Any]]] = [
 @pytest.mark.slow
 @pytest.mark.parametrize(("view", "name", "options"), OTHER_OPTIONS)
 def test_no_label_is_cut_off_or_covers_another_or_an_edge(view, name, options):
-    assert offences(laid_out(scene(OF_PLANES, view, name, **options))) == []
+    assert offences(lay_out(scene(OF_PLANES, view, name, **options))) == []
 
 
 def test_the_check_finds_each_kind_of_offence():
@@ -172,10 +172,10 @@ def test_keys_and_lines_below_take_a_sixth_of_the_height(drawings, view, name):
         made = scene(drawings, view, name)
         made.legend.captions.clear()
         made.legend.table.clear()
-        sheet = laid_out(made)
+        sheet = lay_out(made)
         assert sheet.height - made.height <= BELOW * sheet.height + 1e-6
         assert sheet.width == made.width
-        assert laid_out(made, "none").height == made.height
+        assert lay_out(made, "none").height == made.height
 
 
 @WITH_LEGENDS
@@ -184,7 +184,7 @@ def test_at_the_right_it_stands_beside_the_picture(drawings, view, name):
     with own_settings():
         made = scene(drawings, view, name, width=picture_width(wide, "right"))
         count, keys = len(made.items), made.legend.keys
-        sheet = laid_out(made, "right")
+        sheet = lay_out(made, "right")
         assert sheet.paper[0] == pytest.approx(wide)
         texts = [item for item in sheet.items[count:] if isinstance(item, Label)]
         assert {word for key in keys for word in key.text.split()} <= {
@@ -202,7 +202,7 @@ def test_an_emphatic_line_stays_on_the_sheet():
     """Bold letters are wider than others."""
     made = Scene(88.0, 40.0)
     made.legend.line("depends on the rounding: not resisted for others within", True)
-    words = [x for x in laid_out(made).items if isinstance(x, Label)]
+    words = [x for x in lay_out(made).items if isinstance(x, Label)]
     assert len(words) == 1
     for x in words:
         width = measure(x.text, x.size, weight="bold")[0]
@@ -269,7 +269,7 @@ def lightness(colour: Any) -> float:
 def test_in_print_wrenches_are_black_and_one_set_has_a_hatching():
     for view, wrench in (("grasp", (0, 1, 1)), ("slice", (0, 1, 0))):
         coloured = scene(OF_GRASPS, view, "paper-three-contacts-preload-1", wrench=wrench)
-        made = themed(coloured, "mono").items
+        made = apply_theme(coloured, "mono").items
         if view == "grasp":
             fills = {x.name: x.style.get("fc") for x in made if x.name.startswith("wrench-")}
             assert fills["wrench-force"] == fills["wrench-torque-head"] == "#000000"
@@ -293,8 +293,8 @@ def test_greys_have_no_hue_in_oklab_and_white_has_lightness_one():
 @EVERY_VIEW
 def test_dark_letters_are_light_and_mono_has_no_colour(drawings, view):
     made = usual(drawings, view)
-    dark, mono = themed(made, "dark"), themed(made, "mono")
-    assert themed(made, "light") is made
+    dark, mono = apply_theme(made, "dark"), apply_theme(made, "mono")
+    assert apply_theme(made, "light") is made
     assert len(mono.items) == len(made.items) == len(dark.items) - 1
     plain = {id(i) for i in made.items if isinstance(i, Label) and "plate" not in i.style}
     for old, new in zip(made.items, dark.items[1:], strict=True):
@@ -310,7 +310,7 @@ def test_dark_letters_are_light_and_mono_has_no_colour(drawings, view):
 def test_mono_keeps_apart_what_colours_keep_apart():
     own = "signs:#fdf0c0,#b9dfd3,#7fb9d8,#6a96c8,#8a7fb5,#d8a640"
     made = scene(OF_PLANES, "sphere", "five-generic-planes", colour=own)
-    mono = themed(made, "mono")
+    mono = apply_theme(made, "mono")
     pairs = {
         (str(old.style["fc"]), (new.style["fc"], new.style.get("hatch", "")))
         for old, new in zip(made.items, mono.items, strict=True)
@@ -347,9 +347,9 @@ def every_kind() -> Scene:
         made.polygon(box, fc="#eeeeee", ec="#7d7d7d", lw=0, hatch=hatch)
     made.ball((110, 15), 8, "#0000ff10", "#0000ffc0", zorder=3)
     made.line([(10, 15), (215, 15)], ec="#aa3377", lw=2, ls=(0, (3, 1, 1, 1)), capstyle="butt")
-    with made.clipped((160.0, 20.0, 190.0, 60.0)):
+    with made.clip((160.0, 20.0, 190.0, 60.0)):
         made.circle((180, 60), 25, fc="#ee6677", ec="black", lw=1.5, alpha=0.5)
-    with made.clipped(((40.0, 60.0), 20.0)):
+    with made.clip(((40.0, 60.0), 20.0)):
         made.line([(0, 30), (80, 90)], ec="black", lw=3)
     for k, sign in enumerate("ox_"):
         made.mark((20 + 12 * k, 103), sign, 6, color="#228833", mew=1.2)
@@ -545,7 +545,7 @@ def test_all_pictures_repeat_and_compile(part, tmp_path):
         lines += digests(name, view, contents)
         papers.append(made.paper)
         texts.append(tikz(made, fragment=True))
-        if view in OF_PLANES.views and (found := offences(laid_out(made))):
+        if view in OF_PLANES.views and (found := offences(lay_out(made))):
             wrong.append((name, view, found))
     assert wrong == []
     assert {line.split()[0] for line in lines} == set(names)
@@ -577,7 +577,7 @@ def test_user_axes_hold_one_artist_per_element(drawings, view, room):
     made: list[Scene] = []
 
     def make(width: float) -> Scene:
-        made.append(laid_out(scene(drawings, view, width=width), "none"))
+        made.append(lay_out(scene(drawings, view, width=width), "none"))
         return made[-1]
 
     assert into(axes, make) is figure
@@ -647,7 +647,7 @@ def test_panels_share_common_legend_entries(tmp_path):
     assert len({entry.split()[0] for entry in whole.scene.legend.table}) == 24
     texts = [key.text for key in whole.scene.legend.keys]
     assert len(texts) == len(set(texts)) > 3
-    assert not offences(laid_out(whole.scene))
+    assert not offences(lay_out(whole.scene))
     whole.restyle("panel-1-region-2", fc="#123456")
     for suffix in ("svg", "tex"):
         whole.write(tmp_path / f"a.{suffix}")
@@ -874,7 +874,7 @@ def test_kinds_of_fonts_are_those_of_matplotlib():
 
 
 def test_panels_of_several_views_have_one_size():
-    made = laid_out(read_arrangement("braid-a3").draw("sphere,dual,graph,lattice").scene)
+    made = lay_out(read_arrangement("braid-a3").draw("sphere,dual,graph,lattice").scene)
     assert made.height < 1.3 * made.width
     names = {item.name for item in made.items}
     assert {"panel-1-region-2", "panel-2-vertex-2", "panel-3-vertex-2"} <= names

@@ -96,10 +96,10 @@ def _telling(items: Iterable[Item], bar: Bar, line: _Watch) -> Iterator[Item]:
             if outermost:
                 bar.update(done)
             # Without the first, which may find what others use.
-            began = budget.spent() if began < 0 else began
+            began = budget.steps_spent() if began < 0 else began
             if asked or not bar.total or not max(2, min(20, bar.total / 4)) <= done < bar.total:
                 continue
-            taken = budget.spent() - began
+            taken = budget.steps_spent() - began
             if taken > _MEASURED:
                 asked = True
                 text = f"{bar.total:,} {bar.unit}, of which {done:,} are done"

@@ -167,7 +167,7 @@ def _run(parser: Parser, argv: Sequence[str] | None) -> int:
         exact = any(getattr(arguments, name, False) for name in ("json", "exact"))
         form = number_form.Form(exact, getattr(arguments, "digits", None) or number_form.DIGITS)
         limit, allowed = getattr(arguments, "limit", 1.0), _steps(arguments)
-        with budget.limit(limit), budget.metered(allowed), progress.shown(), form.used():
+        with budget.limit(limit), budget.meter_steps(allowed), progress.shown(), form.used():
             code: int = arguments.command(arguments)
         sys.stdout.flush()
     except KeyboardInterrupt:

@@ -23,9 +23,9 @@ from arrangement.numbers.exact import IntegerVector, largest, shown
 from arrangement.numbers.linear.rank import (
     ask_elimination,
     determinant,
+    evenly_spaced,
     gauss_jordan,
     rank,
-    spread,
 )
 from arrangement.planes.planes import Hyperplane, Planes
 
@@ -75,7 +75,7 @@ def pivot_columns(rows: Sequence[IntegerVector], width: int) -> tuple[int, ...]:
     """Return columns that form a basis of the column space; their number is the rank."""
     if not len(rows):
         return ()
-    sample = spread(rows, 2 * width)
+    sample = evenly_spaced(rows, 2 * width)
     ask_elimination(sample, width)
     pivots = gauss_jordan(sample)[1]
     if len(sample) < len(rows) and len(pivots) < width and len(pivots) < rank(rows):

@@ -21,7 +21,7 @@ from arrangement.numbers.exact import (
     rational_vector,
     unoriented,
 )
-from arrangement.numbers.linear.rank import ask_elimination, gauss_jordan, rank, spread
+from arrangement.numbers.linear.rank import ask_elimination, evenly_spaced, gauss_jordan, rank
 from arrangement.numbers.symbolic import entries, entry, exact_matrix
 from arrangement.planes.planes import Hyperplane, Planes
 
@@ -228,7 +228,7 @@ def _parts(arrangement: Planes) -> list[list[IntegerVector]]:
         normal = unoriented(plane[:-1]) if plane[-1] else one_way(plane[:-1])
         parallel.setdefault(normal, []).append(plane)
     normals = list(parallel)
-    few = spread(normals, 4 * arrangement.dimension)
+    few = evenly_spaced(normals, 4 * arrangement.dimension)
     if arrangement.rank == len(normals):
         parts = [{i} for i in range(len(normals))]
     elif len(few) < len(normals) and rank(few) == arrangement.rank and len(_circuits(few)) == 1:

@@ -119,7 +119,7 @@ def first_whitney_numbers(
     """
     deadline = Deadline(time_limit)
     try:
-        with deadline.kept():
+        with deadline.enforce():
             return _first_numbers(arrangement, symmetry, deadline)
     except TimeoutError:
         message = (

@@ -76,9 +76,9 @@ class Colouring:
 
     def paint(self, region: DrawnRegion) -> str:
         """Return the colour of a region."""
-        return self.shown(self.base(region))
+        return self.own_colour(self.base(region))
 
-    def shown(self, fill: str) -> str:
+    def own_colour(self, fill: str) -> str:
         """Return the own colour in place of one of the scheme."""
         return self.own.get(fill, fill)
 
@@ -89,7 +89,7 @@ class Colouring:
 
     def keys(self, drawn: Iterable[DrawnRegion]) -> list[tuple[str, str]]:
         """Return fills and what they mean, for the regions that are drawn."""
-        return [(self.shown(fill), text) for fill, text in self._keys(drawn)]
+        return [(self.own_colour(fill), text) for fill, text in self._keys(drawn)]
 
     def _keys(self, drawn: Iterable[DrawnRegion]) -> list[tuple[str, str]]:
         if self.name == "orbits":
@@ -280,7 +280,7 @@ def plane_colour(label: int) -> str:
     """Return the colour of a class of planes: the scheme, then darker and paler; 36 in all."""
     turn, place = divmod(label % (4 * len(PLANE_COLOURS)), len(PLANE_COLOURS))
     colour = PLANE_COLOURS[place]
-    return (colour, darkened(colour, 0.6), pale(colour, 0.4), darkened(colour, 0.8))[turn]
+    return (colour, darken(colour, 0.6), pale(colour, 0.4), darken(colour, 0.8))[turn]
 
 
 @cache
@@ -298,7 +298,7 @@ def readable(colour: str) -> str:
     return "#" + "".join(f"{round(255 * x):02x}" for x in channels)
 
 
-def darkened(colour: str, light: float) -> str:
+def darken(colour: str, light: float) -> str:
     """Return a colour ``#rrggbb`` as a share of the light shows it."""
     channels = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
     return "#" + "".join(f"{round(light * x):02x}" for x in channels)

@@ -41,7 +41,7 @@ def reach(half: Floats, ways: Floats) -> Floats:
     return reaches
 
 
-def fixed(centres: Floats) -> Places:
+def fixed_places(centres: Floats) -> Places:
     """Return places (k, 2) that are the same for all labels."""
     return lambda _: centres
 
@@ -183,12 +183,12 @@ def pole(area: Any, half: Floats) -> Floats:
     return place
 
 
-def tried(count: int) -> int:
+def label_count(count: int) -> int:
     """Return how many points are to be labelled, outer ones first; few in a crowd."""
     return min(count, 100 if count <= 200 else 12)
 
 
-def spread(angles: Sequence[float], least: float) -> list[float]:
+def spread_angles(angles: Sequence[float], least: float) -> list[float]:
     """Return angles in the same cyclic order, at least `least` apart where there is room."""
     count = len(angles)
     least = min(least, 2 * math.pi / max(1, count) * 0.98)

@@ -18,8 +18,8 @@ from arrangement.drawing.scene import (
     PageMap,
     Scene,
     measure,
-    moved,
-    wrapped,
+    move_item,
+    wrap_lines,
 )
 from arrangement.errors import InputError
 
@@ -41,7 +41,7 @@ def picture_width(width: float, legend: str) -> float:
     return width * (1 - BESIDE) if legend == "right" else width
 
 
-def laid_out(scene: Scene, legend: str = "below") -> Scene:
+def lay_out(scene: Scene, legend: str = "below") -> Scene:
     """Return a sheet with a picture, its legend and its captions.
 
     Args:
@@ -76,7 +76,7 @@ def laid_out(scene: Scene, legend: str = "below") -> Scene:
     return sheet
 
 
-def composed(
+def panel_sheet(
     scenes: Sequence[Scene], columns: int = 2, titles: Sequence[str] | None = None
 ) -> Scene:
     """Return several pictures as panels of one sheet, row by row, with one legend.
@@ -115,7 +115,7 @@ def composed(
         panel.place(scene, 0.0, 0.0)
         panel.maps = panel.maps or [PageMap()]
         panel.legend = rest
-        panels.append(laid_out(panel))
+        panels.append(lay_out(panel))
     unique = {(repr(key.symbol), key.text): key for key in whole.keys}
     whole.keys, whole.lines = list(unique.values()), list(dict.fromkeys(whole.lines))
     if same:
@@ -143,7 +143,7 @@ def composed(
 def _captions(texts: list[str], width: float) -> Scene:
     """Return lines of text that fit a width in points, in the middle."""
     room = width - 2 * _SIDE
-    lines = [line for text in texts for line in wrapped(text, room, _CAPTION)]
+    lines = [line for text in texts for line in wrap_lines(text, room, _CAPTION)]
     height = (_CAPTION + 2.0) * len(lines) + 3.0 * bool(lines)
     scene = Scene(width / POINTS, height / POINTS)
     for k, line in enumerate(lines):
@@ -163,7 +163,7 @@ def _strip(legend: Legend, width: float, size: float, highest: float) -> Scene:
             (part, measure(part, size, weight=weight)[0])
             for text, strong in legend.lines
             if strong == (weight == "bold")
-            for part in wrapped(text, room, size, weight)
+            for part in wrap_lines(text, room, size, weight)
         ]
         for weight in ("bold", "normal")
     )
@@ -191,7 +191,7 @@ def _strip(legend: Legend, width: float, size: float, highest: float) -> Scene:
     for cells, lines, end in zip(rows, heights, ends, strict=True):
         for x, key, texts in cells:
             x += start(end)
-            scene.items += [moved(item, x, y - row / 2) for item in key.symbol]
+            scene.items += [move_item(item, x, y - row / 2) for item in key.symbol]
             for k, text in enumerate(texts):
                 at = (x + key.width + _BESIDE, y - row * (k + 0.5))
                 _write(scene, at, text, size, color=BLACK)
@@ -217,7 +217,9 @@ def _end(cell: _Cell, size: float) -> float:
 
 def _rows(legend: Legend, room: float, size: float) -> list[list[_Cell]]:
     """Return rows of keys, in columns unless that takes more rows."""
-    cells = [(0.0, key, wrapped(key.text, room - key.width - _BESIDE, size)) for key in legend.keys]
+    cells = [
+        (0.0, key, wrap_lines(key.text, room - key.width - _BESIDE, size)) for key in legend.keys
+    ]
     widths = [_end(cell, size) + _GAP for cell in cells]
     packed, columns = (
         _pack(cells, [max(width, least) for width in widths], room + _GAP)

@@ -22,7 +22,7 @@ import numpy as np
 from arrangement.drawing.scene import Floats
 from arrangement.drawing.solids.depth_tree import Node
 from arrangement.drawing.solids.sight import unit
-from arrangement.drawing.solids.surface import Patch, rounded
+from arrangement.drawing.solids.surface import Patch, float_points
 
 #: A package and the name of a file in its folder ``templates``, or in a folder there.
 Template: TypeAlias = tuple[str, str]
@@ -84,18 +84,18 @@ def one_page(
     for part in parts:
         whole = whole.replace(f"<!-- {part[1].removesuffix('.html')} -->", _text(part).rstrip())
     listed = "\n".join(f'    <button id="{name}"{_BUTTONS[name]}</button>' for name in buttons)
-    return framed(
+    return html_document(
         title,
         f"{_HEAD.format(listed) if listed else ''}{whole}\n"
         "<noscript><p>This page needs JavaScript; all of it is in this file.</p></noscript>\n"
-        f'<script type="application/json" id="data">{embedded(data)}</script>',
+        f'<script type="application/json" id="data">{json_for_html(data)}</script>',
         styles,
         scripts,
         worker="".join(map(_text, worker)),
     )
 
 
-def framed(
+def html_document(
     title: str,
     body: str,
     styles: Iterable[Template],
@@ -136,7 +136,7 @@ def framed(
     )
 
 
-def embedded(data: Mapping[str, Any]) -> str:
+def json_for_html(data: Mapping[str, Any]) -> str:
     """Return JSON that may stand in an HTML element: ASCII, without ``<``, ``>`` and ``&``."""
     text = json.dumps(data, separators=(",", ":"), allow_nan=False)
     for sign in "<>&":
@@ -198,9 +198,9 @@ class PageFace:
 
 def page_face(patch: Patch, fill: str, piece: int, **style: Any) -> PageFace:
     """Return an exact piece as a face of a page."""
-    edges = np.array([rounded(edge) for edge in patch.edges]).reshape(-1, 2, 3)
+    edges = np.array([float_points(edge) for edge in patch.edges]).reshape(-1, 2, 3)
     normal = np.array(patch.row[:3], dtype=float) if any(patch.row) else None
-    return PageFace(rounded(patch.corners), fill, normal, edges, piece, **style)
+    return PageFace(float_points(patch.corners), fill, normal, edges, piece, **style)
 
 
 @dataclass

@@ -19,7 +19,7 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
-from arrangement.drawing.layout import laid_out
+from arrangement.drawing.layout import lay_out
 from arrangement.drawing.output import (
     LEGENDS,
     PICTURES,
@@ -43,7 +43,7 @@ from arrangement.drawing.scene import (
     Scene,
     require_matplotlib,
 )
-from arrangement.drawing.themes import themed
+from arrangement.drawing.themes import apply_theme
 from arrangement.errors import HintsMixin, InputError, refusal
 from arrangement.numbers.exact import shown, sign_text
 
@@ -179,7 +179,7 @@ def into(place: Room, make: Callable[[float], Scene]) -> Figure:
             width = max(width * room[1] / scene.paper[1], _NARROW)
             with suppress(NarrowError):
                 scene = make(width)
-    scene = scene.scaled(min(1.0, *map(operator.truediv, room, scene.paper)))
+    scene = scene.enlarge(min(1.0, *map(operator.truediv, room, scene.paper)))
     _set_coordinates(axes, scene, 0)
     _fill(axes, scene, lambda paths, page: [patch(path, axes, page) for path in paths])
     axes.set_aspect("equal")  # an image has changed it
@@ -268,11 +268,11 @@ def _write(axes: Any, item: Label, style: dict[str, Any]) -> None:
     axes.text(*item.place, item.text, **place, linespacing=1.0, path_effects=effects, **style)
 
 
-def finished(made: Scene, legend: str, theme: str, scale: float = 1.0) -> Scene:
+def finish(made: Scene, legend: str, theme: str, scale: float = 1.0) -> Scene:
     """Return a picture with its legend at a place, enlarged, in a theme; refuse unknown ones."""
     check_choice("legend", legend, LEGENDS)
     check_choice("theme", theme, THEMES)
-    return themed(laid_out(made, legend).scaled(scale), theme)
+    return apply_theme(lay_out(made, legend).enlarge(scale), theme)
 
 
 def write_scene(
@@ -347,7 +347,7 @@ class Elements:
         for k in self._found:
             items[k] = replace(items[k], style={**items[k].style, **own})
         self._drawing.clear()
-        figure(laid_out(self._drawing.scene), self._drawing)
+        figure(lay_out(self._drawing.scene), self._drawing)
 
 
 class Drawing(HintsMixin, Figure):
@@ -362,7 +362,7 @@ class Drawing(HintsMixin, Figure):
     def __init__(self, scene: Scene) -> None:
         super().__init__()
         self.scene = scene
-        figure(laid_out(scene), self)
+        figure(lay_out(scene), self)
 
     def to_page(self, point: Iterable[Any], panel: int = 1) -> tuple[float, float]:
         """Return where a point of the model is, in the coordinates of ``axes[panel - 1]``.
@@ -384,7 +384,7 @@ class Drawing(HintsMixin, Figure):
         >>> drawn.to_page((2, 3))
         (2.0, 3.0)
         """
-        maps = laid_out(self.scene).maps
+        maps = lay_out(self.scene).maps
         if not maps:
             raise InputError("points of the model have no place in this picture")
         if not (isinstance(panel, int) and 0 < panel <= len(maps)):
@@ -431,4 +431,4 @@ class Drawing(HintsMixin, Figure):
         fragment: bool = False,
     ) -> None:
         """Write SVG, PDF, PNG or TikZ, the same bytes each time; see `Drawings.write`."""
-        write_scene(path, lambda: finished(self.scene, legend, theme), fragment=fragment)
+        write_scene(path, lambda: finish(self.scene, legend, theme), fragment=fragment)

@@ -194,7 +194,7 @@ class Label(Item):
     rotation: float = 0.0
 
 
-def moved(item: Any, right: float, up: float) -> Any:
+def move_item(item: Any, right: float, up: float) -> Any:
     """Return an item, with what it is cut to, at another place."""
     by, clip = np.array([right, up]), item.clip
     if clip is not None and len(clip) == 2:
@@ -223,7 +223,7 @@ def role_of(sort: type[Item], name: str, style: Mapping[str, Any]) -> str:
 _LENGTHS = ("points", "radius", "place", "centre", "size")
 
 
-def scaled(item: Item, factor: float) -> Item:
+def scale_item(item: Item, factor: float) -> Item:
     """Return an item with all lengths enlarged."""
     lengths: dict[str, Any] = {
         key: _enlarge(getattr(item, key), factor) for key in _LENGTHS if hasattr(item, key)
@@ -295,13 +295,13 @@ class PageMap:
         x, y = (np.asarray(place) - np.asarray(self.shift)) / self.scale
         return float(x), float(y)
 
-    def moved(self, right: float, up: float, factor: float = 1.0) -> PageMap:
+    def on_sheet(self, right: float, up: float, factor: float = 1.0) -> PageMap:
         """Return the map of a sheet that is enlarged and then moved."""
         shift = factor * np.asarray(self.shift) + (right, up)
         return replace(self, scale=factor * self.scale, shift=(float(shift[0]), float(shift[1])))
 
 
-def flattened(curve: Floats, steps: int = 24) -> Floats:
+def curve_points(curve: Floats, steps: int = 24) -> Floats:
     """Return points along cubic curves given by control points (3k + 1, 2)."""
     t = np.linspace(0, 1, steps, endpoint=False)[:, None, None]
     p, q, r, end = curve[:-1:3], curve[1::3], curve[2::3], curve[3::3]
@@ -311,7 +311,7 @@ def flattened(curve: Floats, steps: int = 24) -> Floats:
 
 def along(curve: Floats, steps: int = 8) -> Floats:
     """Return points along cubic curves with both ends."""
-    return np.vstack([flattened(curve, steps), curve[-1:]])
+    return np.vstack([curve_points(curve, steps), curve[-1:]])
 
 
 def ring(centre: Place, radius: float, steps: int = 200) -> Floats:
@@ -374,7 +374,7 @@ def _measuring() -> Any:
     return renderer(10, 10, DPI), Figure(dpi=DPI)
 
 
-def wrapped(text: str, room: float, size: float = FONT, weight: str = "normal") -> list[str]:
+def wrap_lines(text: str, room: float, size: float = FONT, weight: str = "normal") -> list[str]:
     """Return a text in lines that fit a width in points, as far as its words do."""
     lines, width = [text], len(text)
     # No letter is half as narrow as this one: where even that is too long nothing is measured.
@@ -506,17 +506,17 @@ class Scene:
         self._clip: Box | tuple[Place, float] | None = None
 
     @contextmanager
-    def clipped(self, clip: Box | tuple[Place, float]) -> Iterator[None]:
+    def clip(self, clip: Box | tuple[Place, float]) -> Iterator[None]:
         """Cut what is added meanwhile to a box or a disc."""
         self._clip = clip
         yield
         self._clip = None
 
-    def scaled(self, factor: float) -> Scene:
+    def enlarge(self, factor: float) -> Scene:
         """Return the same sheet enlarged: paper, text and lines."""
         grown = Scene(*(factor * length for length in self.paper))
-        grown.items = [scaled(item, factor) for item in self.items]
-        grown.maps = [lengths.moved(0.0, 0.0, factor) for lengths in self.maps]
+        grown.items = [scale_item(item, factor) for item in self.items]
+        grown.maps = [lengths.on_sheet(0.0, 0.0, factor) for lengths in self.maps]
         return grown
 
     def measure(self, text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
@@ -636,10 +636,10 @@ class Scene:
 
     def place(self, other: Scene, x: float, y: float) -> None:
         """Add all that another scene shows, its lower left corner at (x, y), and its legend."""
-        self.items += [moved(item, x, y) for item in other.items]
+        self.items += [move_item(item, x, y) for item in other.items]
         self.boxes += [(l + x, b + y, r + x, t + y) for l, b, r, t in other.boxes]  # noqa: E741
         self.legend.extend(other.legend)
-        self.maps += [own.moved(x, y) for own in other.maps]
+        self.maps += [own.on_sheet(x, y) for own in other.maps]
 
 
 #: Room beside and above what is drawn, in points.
@@ -648,7 +648,7 @@ Margins: TypeAlias = tuple[float, float]
 AROUND = (6 * POINTS, 6 * POINTS)
 
 
-def fitted(
+def fit_sheet(
     width: float, *parts: tuple[Floats, Margins], tallest: float | None = None
 ) -> tuple[Scene, float, Floats]:
     """Return an empty sheet, and the scale and shift that put points on it.
@@ -699,7 +699,7 @@ def arc(centre: Floats, radius: float, start: float, sweep: float) -> Floats:
     handle = 4 / 3 * math.tan(sweep / 16)
     radial = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     tangent = np.stack([-radial[:, 1], radial[:, 0]], axis=1)
-    return centre + radius * joined(radial, handle * tangent)
+    return centre + radius * cubic_curves(radial, handle * tangent)
 
 
 def turning_arrow(scene: Scene, centre: Floats, radius: float, way: int, **style: Any) -> None:
@@ -714,7 +714,7 @@ def turning_arrow(scene: Scene, centre: Floats, radius: float, way: int, **style
     scene.polygon(head, fc=colour, ec="none", gid=f"{gid}-head", zorder=order, role="arrow")
 
 
-def joined(place: Floats, handle: Floats) -> Floats:
+def cubic_curves(place: Floats, handle: Floats) -> Floats:
     """Return the control points of cubic curves through `place` with the given handles."""
     curve = np.empty((3 * len(place) - 2, 2))
     curve[0::3] = place

@@ -29,7 +29,7 @@ _HALO = (1.8, "#ffffff")
 Rgba: TypeAlias = tuple[float, float, float, float]
 
 
-def themed(scene: Scene, theme: str) -> Scene:
+def apply_theme(scene: Scene, theme: str) -> Scene:
     """Return a scene in a theme.
 
     Args:

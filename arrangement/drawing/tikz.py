@@ -175,10 +175,10 @@ def _begins_number(tokens: list[tuple[str, str]], k: int) -> bool:
 
 
 def _words(tokens: list[tuple[str, str]]) -> str:
-    return "".join(text if kind == "given" else escaped(text) for kind, text in tokens)
+    return "".join(text if kind == "given" else escape_latex(text) for kind, text in tokens)
 
 
-def escaped(text: str) -> str:
+def escape_latex(text: str) -> str:
     r"""Return text that LaTeX prints as it is.
 
     >>> print(escaped("Möbius_1"))
@@ -352,7 +352,8 @@ class _Writer:
         layers = "/slipstates/layer/.style={every path/.style={/slipstates/#1}}"
         labels = "/slipstates/labels/.style={every node/.style={/slipstates/label}}"
         styles = [
-            f"/slipstates/{role}/.style={{{_joined(style)}}}" for role, style in self.styles.items()
+            f"/slipstates/{role}/.style={{{_option_list(style)}}}"
+            for role, style in self.styles.items()
         ]
         colours = [
             rf"\definecolor{{{name}}}{{HTML}}{{{code}}}"
@@ -392,7 +393,7 @@ class _Writer:
             lines = [rf"\begin{{scope}}[/slipstates/{layer}]"]
             for written in group:
                 command = r"\node" if written.body.startswith("at ") else r"\path"
-                own = _joined(written.options, self.styles[role])
+                own = _option_list(written.options, self.styles[role])
                 text = f"{command}{f'[{own}]' if own else ''} {written.body};"
                 lines.append(fill(text, 98, subsequent_indent="  ", **_UNBROKEN))
                 lines[-1] += f" % {written.item.name}" if written.item.name else ""
@@ -577,7 +578,7 @@ def _rgba(colour: Any) -> tuple[float, float, float, float]:
     return to_rgba(colour)
 
 
-def _joined(options: Options, known: Options | None = None) -> str:
+def _option_list(options: Options, known: Options | None = None) -> str:
     """Return options as a list, without what is known, and against what is known too much."""
     known = known or {}
     said = [f"{key}={value}" for key, value in options.items() if known.get(key) != value]

@@ -22,7 +22,7 @@ from arrangement.console.options.signature import Option, Syntax, options_of, su
 from arrangement.console.options.values import rational_argument
 from arrangement.console.progress import watched
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
-from arrangement.drawing.layout import APART, composed, laid_out, picture_width
+from arrangement.drawing.layout import APART, lay_out, panel_sheet, picture_width
 from arrangement.drawing.output import (
     DPIS,
     LEGENDS,
@@ -152,7 +152,7 @@ def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], DrawingView[P
             from .path_artist import into
 
             return into(
-                ax, lambda width: laid_out(scene(*args, **{"width": width, **options}), "none")
+                ax, lambda width: lay_out(scene(*args, **{"width": width, **options}), "none")
             )
 
         text = inspect.cleandoc(view.__doc__ or "")  # Python 3.13 takes the indent away itself
@@ -253,7 +253,7 @@ class Printing:
         return picture_width(width, self.legend or LEGENDS[0]) / self.scale
 
     @contextmanager
-    def explained(self, width: float) -> Iterator[None]:
+    def explain_narrow(self, width: float) -> Iterator[None]:
         """Explain why a picture is too narrow, where its own width is not that of the sheet."""
         try:
             yield
@@ -265,11 +265,11 @@ class Printing:
             counted = f"{width:.4g}, counted as {', '.join(why)}"
             raise InputError(f"{error} (the width given is {counted})") from None
 
-    def finished(self, scene: Scene) -> Scene:
+    def finish(self, scene: Scene) -> Scene:
         """Return the sheet with a picture, its legend and its captions, in the theme."""
-        from .path_artist import finished
+        from .path_artist import finish
 
-        made = finished(scene, self.legend or LEGENDS[0], self.theme or THEMES[0], self.scale)
+        made = finish(scene, self.legend or LEGENDS[0], self.theme or THEMES[0], self.scale)
         if self.transparent:
             made.items = [item for item in made.items if item.name != SHEET]
         return made
@@ -461,10 +461,10 @@ class Drawings:
         notes: dict[str, None] = {}
 
         def scene(**changed: Any) -> Scene:
-            with printing.explained(width):
+            with printing.explain_narrow(width):
                 made = self._scene(subject, name, printing.columns, {**options, **changed})
             notes.update(dict.fromkeys(made.legend.notes))
-            return printing.finished(made)
+            return printing.finish(made)
 
         if Path(path).suffix.lower() not in MOVIES:
             letters, fragment = printing.text == "text", printing.fragment
@@ -504,7 +504,7 @@ class Drawings:
             view = self.function("view", part)
             given = {key: options[key] for key in own}
             parts.append(view.scene(subject, **{**self.views[part].in_panels, **given}))
-        return composed(parts, count)
+        return panel_sheet(parts, count)
 
     @_within_floats()
     def draw(self, subject: Any, view: str | None = None, **options: Any) -> Drawing:
@@ -543,7 +543,7 @@ class Drawings:
             self._check_options("view", view, options)
             with own_settings(), _within_floats():
                 made = self._scene(subject, view, None, options)
-                return tikz(Printing().finished(made), fragment=True)
+                return tikz(Printing().finish(made), fragment=True)
         except (InputError, MissingExtraError):
             return None
 
@@ -624,4 +624,4 @@ def compose(
     scenes = [getattr(figure, "scene", None) for figure in figures]
     if not scenes or not all(isinstance(scene, Scene) for scene in scenes):
         raise InputError("compose takes figures that a view has drawn, without ax; give some")
-    return drawing(composed([scene for scene in scenes if scene], columns, titles))
+    return drawing(panel_sheet([scene for scene in scenes if scene], columns, titles))

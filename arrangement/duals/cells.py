@@ -16,7 +16,7 @@ from functools import lru_cache
 from itertools import product
 from typing import TypeAlias
 
-from arrangement.drawing.solids.flat_polygons import clipped
+from arrangement.drawing.solids.flat_polygons import clip_polygon
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.errors import InputError, extra, refusal
 from arrangement.numbers import budget
@@ -330,7 +330,7 @@ class _Knife:
 
     def _clip(self, face: tuple[int, ...], values: Sequence[int]) -> tuple[int, ...]:
         """Return the part of a face where values are positive."""
-        return tuple(map(self._number, clipped([self.points[i] for i in face], values)))
+        return tuple(map(self._number, clip_polygon([self.points[i] for i in face], values)))
 
     def _number(self, point: IntegerVector) -> int:
         """Return the number of a point; a new one lies in the plane."""

@@ -59,10 +59,10 @@ from arrangement.numbers.float_filter import (
     UNUSABLE,
     Floats,
     Signs,
-    decided,
+    certified_signs,
     error_bound,
     least_sizes,
-    scaled,
+    scale_rows,
     signs_of,
 )
 from arrangement.numbers.linear.rank import cut, unit_vectors
@@ -70,7 +70,7 @@ from arrangement.numbers.packing import (
     Bits,
     Words,
     distinct_rows,
-    grouped,
+    group_rows,
     pack,
     unit_words,
     unpack,
@@ -199,14 +199,14 @@ class PlaneTable:
         """Return the signs of determinants; `exact` gives those that the floats leave open."""
         if self.error == 0:
             return signs_of(values)
-        return decided(values, sizes, self.error, least, exact)
+        return certified_signs(values, sizes, self.error, least, exact)
 
 
 def scaled_floats(rows: Sequence[IntegerVector]) -> tuple[Floats, float]:
     """Return floats near positive multiples of integer rows, and the `error` of determinants."""
     if 24 * largest(rows) ** 4 <= EXACT:
         return np.array(rows, dtype=np.float64).reshape(-1, 4), 0.0
-    floats, usable = scaled(rows)
+    floats, usable = scale_rows(rows)
     return (floats, ERROR) if usable.all() else (np.ones_like(floats), UNUSABLE)
 
 
@@ -454,7 +454,7 @@ def faces_around(table: PlaneTable, lines: Lines) -> Faces:
 
 def _pairs_of_equal_rows(rows: Words) -> tuple[Indices, Indices]:
     """Return the places of two copies of each different row; every row has two or more."""
-    order, new = grouped(rows)
+    order, new = group_rows(rows)
     first = np.flatnonzero(new)
     return order[first], order[first + 1]
 

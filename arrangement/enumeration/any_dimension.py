@@ -35,7 +35,7 @@ from arrangement.numbers.coefficients import (
     primitive,
 )
 from arrangement.numbers.linear.rank import rank, unit_vectors
-from arrangement.numbers.packing import Words, grouped, pack, unpack
+from arrangement.numbers.packing import Words, group_rows, pack, unpack
 from arrangement.planes.planes import Planes
 
 from .sequence import Level, Rows, Signs, no_faces
@@ -130,7 +130,7 @@ def _covers(faces: CentralFaces, rises: _Rises, forbidden: Words) -> CentralFace
     words = faces.words[face] | rises.words[rise]
     allowed = ~(words & forbidden).any(axis=1)
     face, rise, words = face[allowed], rise[allowed], words[allowed]
-    order, new = grouped(words)
+    order, new = group_rows(words)
     first = order[new]
     if len(faces.words) == 1 and not faces.words.any():
         points = rises.vectors[rise[first]]
@@ -234,7 +234,7 @@ def _group(rows: NDArray[Any]) -> tuple[Indices, Indices]:
         known: dict[tuple[int, ...], int] = {}
         label = np.array([known.setdefault(tuple(row), len(known)) for row in rows.tolist()])
         return np.unique(label, return_index=True)[1], label
-    order, new = grouped(rows.view(np.uint64))
+    order, new = group_rows(rows.view(np.uint64))
     label = np.empty(len(rows), np.intp)
     label[order] = np.cumsum(new) - 1
     return order[new], label

@@ -59,7 +59,7 @@ from arrangement.numbers.packing import (
     Bits,
     Words,
     distinct_rows,
-    grouped,
+    group_rows,
     pack,
     unit_words,
     unpack,
@@ -119,7 +119,7 @@ class Arrangements:
         """Return (N,), the arrangement of each hyperplane."""
         return np.repeat(np.arange(len(self.sizes)), self.sizes)
 
-    def chosen(self, kept: Bits) -> Arrangements:
+    def take(self, kept: Bits) -> Arrangements:
         """Return some of the arrangements."""
         if kept.all():
             return self
@@ -149,7 +149,7 @@ class Restrictions:
     member: Places
     turned: Bits
 
-    def chosen(self, kept: Bits) -> Restrictions:
+    def take(self, kept: Bits) -> Restrictions:
         """Return those of some arrangements."""
         if kept.all():
             return self
@@ -185,7 +185,7 @@ def portions(above: Arrangements) -> list[Places]:
     return np.split(onto, np.flatnonzero(np.diff(parts)) + 1)
 
 
-def restricted(above: Arrangements, onto: Places) -> tuple[Arrangements, Restrictions]:
+def restrict(above: Arrangements, onto: Places) -> tuple[Arrangements, Restrictions]:
     """Restrict hyperplanes to some others of their arrangements, which come after them.
 
     Those with two sides that leave nothing between them are left out.
@@ -207,7 +207,7 @@ def restricted(above: Arrangements, onto: Places) -> tuple[Arrangements, Restric
     member = (label - restriction.starts[below])[pairs]
     maps = Restrictions(onto, pivot, merged, member, turned[pairs])
     empty = np.bincount(below, turned & is_side, minlength=n) > 0
-    return restriction.chosen(~empty), maps.chosen(~empty)
+    return restriction.take(~empty), maps.take(~empty)
 
 
 def _images(
@@ -279,7 +279,7 @@ class HalfRegions:
     points: Floats
     of: Places
 
-    def chosen(self, rows: Places) -> HalfRegions:
+    def take(self, rows: Places) -> HalfRegions:
         """Return some of the regions."""
         return HalfRegions(self.signs[rows], self.points[rows], self.of[rows])
 
@@ -320,9 +320,9 @@ def _keep(halves: HalfRegions, lines: Arrangements, units: Words) -> HalfRegions
     several = np.flatnonzero(lines.sides[halves.of] > 1)
     if not len(several):
         return halves
-    check(halves.chosen(several), lines)
+    check(halves.take(several), lines)
     sides = np.cumsum(units, axis=0)[lines.sides - 1][halves.of]
-    return halves.chosen(np.flatnonzero(((halves.signs & sides) == sides).all(axis=1)))
+    return halves.take(np.flatnonzero(((halves.signs & sides) == sides).all(axis=1)))
 
 
 def dot(left: Floats, right: Floats) -> Floats:
@@ -405,7 +405,7 @@ class Insertion:
         self.new_words, self.above = self.words[count:], self.points[count:]
         self.below = np.empty_like(self.above)
         for part in budget.chunks(len(order), max(1, _PRODUCTS // (len(steps) * d))):
-            self._cut(part, cutting.chosen(order[part]))
+            self._cut(part, cutting.take(order[part]))
 
     def _cut(self, part: slice, cutting: HalfRegions) -> None:
         """Write the signs of regions of restrictions, and points on both sides of each."""
@@ -465,7 +465,7 @@ def _places(rows: Words, count: int) -> Places:
     """Return where the rows after the first ones, all distinct, are among these."""
     if count == len(rows):
         return np.zeros(0, np.intp)
-    order, new = grouped(rows)
+    order, new = group_rows(rows)
     again = np.flatnonzero(~new)
     place, which = order[again - 1], order[again] - count
     if len(place) != len(rows) - count or (place >= count).any() or (which < 0).any():
@@ -494,7 +494,7 @@ def list_regions(planes: Planes, inside: int = 0) -> Level:
         rows = [infinity, *((*row[:-1], -row[-1]) for row in rows)]
     whole = arrangement_of(rows, 1 + inside)
     points, there = _first_points(whole)
-    regions = _regions(whole.chosen(there), points[there], unit_words(len(rows)))
+    regions = _regions(whole.take(there), points[there], unit_words(len(rows)))
     check(regions, whole)
     if len(distinct_rows(regions.signs)) < len(regions.signs):
         raise TooCloseError
@@ -530,11 +530,11 @@ def _all_restricted(above: Arrangements, units: Words) -> tuple[Arrangements, Fl
     """Return the restrictions that have regions, a point in each, and where they come from."""
     parts, points, maps, count = [], [], [], 0
     for onto in watched(portions(above), "portions of restrictions"):
-        below, restrictions = restricted(above, onto)
+        below, restrictions = restrict(above, onto)
         first, there = _first_points(below)
-        parts.append(below.chosen(there))
+        parts.append(below.take(there))
         points.append(first[there])
-        maps.append(restrictions.chosen(there))
+        maps.append(restrictions.take(there))
         count += len(points[-1])
         _check_growth(RESTRICTION_STEPS * len(onto), count, above.dimension + units.shape[1])
     return joined(parts), np.concatenate(points), joined(maps)
@@ -544,12 +544,12 @@ def _in_planes(above: Arrangements, units: Words) -> tuple[HalfRegions, Restrict
     """Return the regions of all restrictions to rank 2, and where these come from."""
     parts, maps, arrangements, regions = [], [], 0, 0
     for onto in watched(portions(above), "portions of restrictions"):
-        lines, restrictions = restricted(above, onto)
+        lines, restrictions = restrict(above, onto)
         halves = sectors(lines, units)
         there = np.bincount(halves.of, minlength=len(lines.sizes)) > 0
         of = arrangements + (np.cumsum(there) - 1)[halves.of]
         parts.append(HalfRegions(halves.signs, halves.points, of))
-        maps.append(restrictions.chosen(there))
+        maps.append(restrictions.take(there))
         arrangements += int(there.sum())
         regions += len(of)
         _check_growth(RESTRICTION_STEPS * len(onto), regions, above.dimension + units.shape[1])

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from .files.table import Entries
 
 
-def described() -> dict[str, str]:
+def family_descriptions() -> dict[str, str]:
     """Return a line on each family: its options, and what it is."""
     return {
         name: f"{' '.join(map(_usage, options_of(made).values()))}: {_summary(made)}"
@@ -155,7 +155,7 @@ def add_convert_options(parser: argparse.ArgumentParser) -> None:
 
 def convert(arguments: argparse.Namespace) -> int:
     """Write an arrangement in another format, to a file or to stdout, and report what is lost."""
-    from .files.table import converted, format_named, format_of_file, read_with_rest
+    from .files.table import format_named, format_of_file, read_with_rest, text_in_format
 
     if arguments.to is None and arguments.output is None:
         raise InputError("convert needs a target: give -o PATH, or --to FORMAT")
@@ -167,7 +167,7 @@ def convert(arguments: argparse.Namespace) -> int:
         entries, rest = _entries(arguments), ""
         number = arguments.number
         arrangement = entries.only() if number is None else entries[number]
-    text, lost = converted(arrangement, form), form.loses(arrangement)
+    text, lost = text_in_format(arrangement, form), form.loses(arrangement)
     names = "names of planes" if arrangement.names and form.name != "json" else ""
     lost = "; ".join(filter(None, (rest and f"{rest} of the file", names, lost)))
     if arguments.output or not arguments.json:

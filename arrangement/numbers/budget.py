@@ -2,7 +2,7 @@
 
 1. `check_cost` refuses work whose forecast (in faces, bytes or steps) is above the budget.
 2. `check_size` refuses more things of a kind than `MAX_SIZES` allows.
-3. `spend` counts the steps of work that has no forecast; a command (`metered`) ends after
+3. `spend` counts the steps of work that has no forecast; a command (`meter_steps`) ends after
    `COMMAND_STEPS`. In Python these steps are free.
 
 A step is about 0.1 microseconds on a CPU of 2025. No clock is read, so that every machine gives the
@@ -217,7 +217,7 @@ class WorkOver(BaseException):
 
 
 @contextmanager
-def metered(steps: float = COMMAND_STEPS) -> Iterator[None]:
+def meter_steps(steps: float = COMMAND_STEPS) -> Iterator[None]:
     """Count the steps inside as those of a command, which ends after a number of them (scaled)."""
     token = _meter.set(_Meter(steps))
     try:
@@ -273,7 +273,7 @@ def spend(steps: float) -> None:
         )
 
 
-def left() -> float:
+def steps_left() -> float:
     """Return the steps that the command may still take; infinity in Python.
 
     >>> with metered(1000):
@@ -285,7 +285,7 @@ def left() -> float:
     return math.inf if meter is None else meter.allowed * times() - meter.spent
 
 
-def spent() -> float:
+def steps_spent() -> float:
     """Return the steps that the command has taken so far; 0 in Python."""
     meter = _meter.get()
     return 0 if meter is None else meter.spent

@@ -62,9 +62,9 @@ class Coefficients:
         if self.field is None:
             return array[..., 0]
         result = np.empty(array.shape[:-1], object)
-        made = self.field.made
+        canonical = self.field.canonical
         flat = array.reshape(-1, self.degree).tolist()
-        result.ravel()[:] = [made(tuple(x), 1) for x in flat]
+        result.ravel()[:] = [canonical(tuple(x), 1) for x in flat]
         return result
 
     def matrices(self, array: Integers) -> Integers:
@@ -94,7 +94,7 @@ class Coefficients:
         # an entry, a power and their product are rounded, and the sums
         open_ = ~certain(values, sizes, error_bound(self.degree + 3)) & array.any(axis=-1)
         for at in zip(*np.nonzero(open_), strict=True):
-            number: Any = self.field.made(tuple(array[at].tolist()), 1)
+            number: Any = self.field.canonical(tuple(array[at].tolist()), 1)
             signs[at] = sign(number)
         return signs
 
@@ -129,9 +129,9 @@ class Coefficients:
             norm = wide[:, 0] ** 2 - self._table[-1, 2] * wide[:, 1] ** 2
             positive: Integers = conjugate * signs_of(norm)[:, None]
             return positive
-        made = self.field.made
+        canonical = self.field.canonical
         listed = list(map(tuple, array.tolist()))
-        known = {x: quotient(1, made(x, 1)).numerator if any(x) else 0 for x in set(listed)}
+        known = {x: quotient(1, canonical(x, 1)).numerator if any(x) else 0 for x in set(listed)}
         return self.array([[known[x]] for x in listed], 1)[:, 0]
 
     @property

@@ -60,7 +60,7 @@ class Deadline:
             raise TimeoutError(str(self))
 
     @contextmanager
-    def kept(self) -> Iterator[None]:
+    def enforce(self) -> Iterator[None]:
         """Let `check_time` inside raise `TimeoutError` when the time limit is over."""
         token = _kept.set(self)
         try:

@@ -96,12 +96,12 @@ _OPERATIONS: dict[str, Callable[..., Any]] = {
     "+": lambda x, y: x + y,
     "-": lambda x, y: x - y,
     "*": lambda x, y: x * y,
-    "/": lambda x, y: _divided(x, y),
+    "/": lambda x, y: _quotient(x, y),
     "^": lambda x, power: _power(x, power),
 }
 
 
-def _divided(x: Any, y: Any) -> Any:
+def _quotient(x: Any, y: Any) -> Any:
     return Fraction(x) / y if isinstance(x, int) else x / y
 
 

@@ -115,7 +115,7 @@ class NumberField:
         """Return the sum of coefficients times powers 1, a, a^2, ... of the generator."""
         scale = math.lcm(*(x.denominator for x in coefficients))
         whole = [x.numerator * (scale // x.denominator) for x in coefficients]
-        return self.made(self._reduce(whole + [0] * (self.degree - len(whole))), scale)
+        return self.canonical(self._reduce(whole + [0] * (self.degree - len(whole))), scale)
 
     def isolating_interval(self) -> tuple[Fraction, Fraction]:
         """Return the longest ``[k / 2^j, (k + 1) / 2^j]``, j >= 0, with only this root inside."""
@@ -237,7 +237,7 @@ class NumberField:
                 reduced = [x + top * y for x, y in zip(reduced, row, strict=True)]
         return tuple(reduced)
 
-    def made(self, coefficients: IntegerVector, denominator: int) -> Real:
+    def canonical(self, coefficients: IntegerVector, denominator: int) -> Real:
         """Return a number in its one form."""
         if not any(coefficients[1:]):
             value = Fraction(coefficients[0], denominator)
@@ -267,7 +267,7 @@ class NumberField:
         if len(coefficients) == 2:
             a, b = coefficients
             norm = a * a + b * b * self.minimal_polynomial[0]
-            return self.made((a, -b) if norm > 0 else (-a, b), abs(norm))
+            return self.canonical((a, -b) if norm > 0 else (-a, b), abs(norm))
         number = self._inverses.get(coefficients)
         if number is None:
             number = self.of_domain(self.domain(list(coefficients[::-1])) ** -1)
@@ -310,10 +310,10 @@ class NumberField:
                 return 1 if value > 0 else -1
         except OverflowError:
             pass
-        total, _ = self.enclosed(coefficients, 0)
+        total, _ = self.enclosure(coefficients, 0)
         return 1 if total > 0 else -1
 
-    def enclosed(self, coefficients: IntegerVector, bits: int) -> tuple[int, int]:
+    def enclosure(self, coefficients: IntegerVector, bits: int) -> tuple[int, int]:
         """Return v, k so that v / 2^k is an irrational number but for 2^-bits of its size."""
         error, k = 2 * sum(map(abs, coefficients)), _BITS
         while True:
@@ -501,9 +501,9 @@ class AlgebraicNumber(Irrational):
             right, q = other.coefficients, other.denominator
             if p == q == 1:
                 total = tuple([x + y for x, y in zip(left, right, strict=True)])
-                return field.made(total, 1)
+                return field.canonical(total, 1)
             sums = tuple([x * q + y * p for x, y in zip(left, right, strict=True)])
-            return field.made(sums, p * q)
+            return field.canonical(sums, p * q)
         if isinstance(other, int):
             return AlgebraicNumber(field, (left[0] + other * p, *left[1:]), p)
         if isinstance(other, Fraction):
@@ -523,10 +523,10 @@ class AlgebraicNumber(Irrational):
         if isinstance(other, AlgebraicNumber):
             if other.field is not field:
                 check_same_field(field, other.field)
-            return field.made(field.product(left, other.coefficients), p * other.denominator)
+            return field.canonical(field.product(left, other.coefficients), p * other.denominator)
         if isinstance(other, (int, Fraction)):
             factor = other.numerator
-            return field.made(tuple([x * factor for x in left]), p * other.denominator)
+            return field.canonical(tuple([x * factor for x in left]), p * other.denominator)
         return float(self) * other if isinstance(other, float) else NotImplemented
 
     __rmul__ = __mul__

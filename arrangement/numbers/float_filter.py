@@ -61,7 +61,7 @@ def signs_of(values: NDArray[Any]) -> Signs:
     return positive.view(np.int8) - negative.view(np.int8)
 
 
-def decided(
+def certified_signs(
     values: Floats,
     sizes: Floats,
     error: float,
@@ -86,7 +86,7 @@ def decided(
 
 
 def least_sizes(rows: Sequence[IntegerVector]) -> Floats:
-    """Return a number for each row of `scaled`, by which products of entries keep their distance.
+    """Return a number for each of the rows `scale_rows` scales, which keeps products from 0.
 
     Let a sum of products have at most 24 products of one entry each of the same rows. If it is not
     0 it is at least the product of the numbers of these rows: the norm of the sum, the product of
@@ -103,7 +103,7 @@ def least_sizes(rows: Sequence[IntegerVector]) -> Floats:
     return np.array(sizes_of)
 
 
-def scaled(rows: Sequence[IntegerVector]) -> tuple[Floats, Booleans]:
+def scale_rows(rows: Sequence[IntegerVector]) -> tuple[Floats, Booleans]:
     """Return integer rows over powers of two, rounded, and which of them floats can hold.
 
     Entries are below 1 in size. In a row that floats can hold each has one rounding, and is 0 or

@@ -127,7 +127,7 @@ class Domain:
             known = next((root for root in exact if low <= root <= high), None)
             pair = (low, high) if known is None else (known, known)
             while pair[0] < self.value < pair[1] or pair[1] - pair[0] > self.width:
-                pair = _narrowed(polynomial, pair, (pair[1] - pair[0]) / 2)
+                pair = _narrow(polynomial, pair, (pair[1] - pair[0]) / 2)
             narrow.append(pair)
         ends = [self._end(polynomial, narrow, is_alike, way) for way in (-1, 1)]
         (low, has_low), (high, has_high) = ends
@@ -362,7 +362,7 @@ def _roots(squarefree: fmpq_poly, low: fmpq, high: fmpq) -> Iterator[tuple[fmpq,
     yield from _roots(squarefree, middle, high)
 
 
-def _narrowed(
+def _narrow(
     polynomial: fmpq_poly, pair: tuple[Fraction, Fraction], width: Fraction
 ) -> tuple[Fraction, Fraction]:
     """Return an interval around the one root in another, up to a width."""

@@ -37,11 +37,11 @@ def unit_words(classes: int) -> Words:
 
 def distinct_rows(rows: Words) -> NDArray[np.intp]:
     """Return the place of one copy of each different row."""
-    order, new = grouped(rows)
+    order, new = group_rows(rows)
     return order[new]
 
 
-def grouped(rows: Words) -> tuple[NDArray[np.intp], Bits]:
+def group_rows(rows: Words) -> tuple[NDArray[np.intp], Bits]:
     """Return an order in which equal rows are neighbours, and which of them are new in it.
 
     Rows are sorted by one mixed key. Then rows with equal keys are compared in full; if two

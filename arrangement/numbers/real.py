@@ -58,7 +58,7 @@ class Irrational:
         return Fraction(total, self.denominator << k)
 
     def _enclosed(self, bits: int = _MORE_BITS) -> tuple[int, int]:
-        bounds: tuple[int, int] = self.field.enclosed(self.coefficients, bits)
+        bounds: tuple[int, int] = self.field.enclosure(self.coefficients, bits)
         return bounds
 
 

@@ -96,7 +96,7 @@ def planes_of(
 
         variables = sorted(set().union(*(e.free_symbols for e in given)), key=default_sort_key)
     else:
-        variables = listed(symbols, "symbols")
+        variables = as_list(symbols, "symbols")
         _check_symbols(variables)
     budget.check_size(len(variables), "coordinates")
     rows = [_coefficients(e, variables, f"equations[{i}]") for i, e in enumerate(given)]
@@ -114,7 +114,7 @@ def equations_of(
         names = "xyz" if dimension <= 3 else [f"x{k + 1:0{digits}}" for k in range(dimension)]
         variables = [sympy.Symbol(name) for name in names[:dimension]]
     else:
-        variables = listed(symbols, "symbols")
+        variables = as_list(symbols, "symbols")
         _check_symbols(variables)
     if len(variables) != dimension:
         raise InputError(
@@ -130,7 +130,7 @@ def equations_of(
     )
 
 
-def listed(values: Any, name: str) -> list[Any]:
+def as_list(values: Any, name: str) -> list[Any]:
     """Return values as a list; refuse a text, and what is not a sequence."""
     if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
         raise InputError(f"{name} is {shown(values)}; give a sequence of {name}")

@@ -20,7 +20,7 @@ from arrangement.drawing.pages import PageFace, SolidPage
 from arrangement.drawing.scene import Floats, PageMap, Scene, millimetres
 from arrangement.drawing.solids.depth_tree import plane_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, triangles
-from arrangement.drawing.solids.sight import picture_axes, turned, view_direction
+from arrangement.drawing.solids.sight import picture_axes, turn_view, view_direction
 from arrangement.drawing.views import Exact, Vector
 from arrangement.duals.cells import Cell, Cells, cut_cells
 from arrangement.errors import InputError
@@ -94,7 +94,7 @@ def draw_cells(
     arrangement, camera = in_coordinates(coordinates, arrangement, camera)
     cells = _cells(arrangement, body, centre, radius, explode)
     towards = clear_sight(cells) if camera is None else view_direction(camera)
-    stage = Stage(cells, turned(towards, azimuth))
+    stage = Stage(cells, turn_view(towards, azimuth))
     lifted = []
     for cell in cells.cells:
         shift = centroid(stage.points, cell.faces) * (explode - 1)
@@ -111,7 +111,7 @@ def draw_cells(
     shifts = {item.cell.signs: item.shift for item in lifted}
 
     def place(point: Floats) -> Floats:
-        seen = stage.seen(moved(point))
+        seen = stage.in_view(moved(point))
         return sheet.place(seen + shifts[stage.cell_of(seen).signs])
 
     sheet.scene.maps.append(PageMap(place=place, size=3))

@@ -13,7 +13,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.drawing.colours import Choice, DrawnRegion, Painter
 from arrangement.drawing.labels import SIZES, beside, inside, keep_off, write_if_free
-from arrangement.drawing.scene import Floats, PageMap, Scene, along, flattened, ring
+from arrangement.drawing.scene import Floats, PageMap, Scene, along, curve_points, ring
 from arrangement.drawing.solids.sight import best_view, picture_axes, unit_vectors, views
 from arrangement.drawing.views import Vector
 from arrangement.errors import InputError, extra
@@ -193,7 +193,7 @@ class _Whole:
             else:
                 outline = self.on_paper(self.drawn.outline(r))
                 self.scene.curve(outline, **style)
-                filled.append((region, flattened(outline)))
+                filled.append((region, curve_points(outline)))
         return filled
 
     def _corners(self) -> Floats:
@@ -372,12 +372,12 @@ def _evenness(axes: Floats, lines: Floats) -> float:
     points = np.where(points[:, 2:] < 0, -points, points)
     front = points[points[:, 2] > 1e-9]
     spans = np.linalg.norm(front[:, :2] / front[:, 2:], axis=1)
-    places = compressed(points, max(0.3, float(np.quantile(spans, 0.7))))
+    places = compress(points, max(0.3, float(np.quantile(spans, 0.7))))
     gaps = KDTree(places).query(places, k=2)[0][:, 1]
     return round(float(np.log(gaps + 0.005).mean()), 6)
 
 
-def compressed(points: Floats, reach: float, inner: float = 0.7) -> Floats:
+def compress(points: Floats, reach: float, inner: float = 0.7) -> Floats:
     """Return places in a disc of unit vectors (k, 3) in front of the limb, infinity at the rim.
 
     Within `reach` of the middle the chart is to scale. Beyond it, distance from the middle is

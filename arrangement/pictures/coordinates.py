@@ -244,7 +244,7 @@ def in_coordinates(
     matrix = coordinate_map(coordinates, arrangement)
     if matrix is None:
         return arrangement, direction
-    moved, rows = mapped(matrix, arrangement)
+    moved, rows = apply_map(matrix, arrangement)
     if direction is not None and len(rows) == 3:
         given = real_vector(direction, "camera")
         if len(given) == 3:
@@ -296,7 +296,7 @@ def coordinate_map(coordinates: str | None, arrangement: Arrangement) -> Floats 
     return matrix
 
 
-def mapped(matrix: Floats, planes: Planes) -> tuple[Arrangement, list[IntegerVector]]:
+def apply_map(matrix: Floats, planes: Planes) -> tuple[Arrangement, list[IntegerVector]]:
     """Return planes whose normals are multiplied by a matrix, and the matrix, rounded."""
     rows, scale = rounded_map(matrix, 1 << 10)
     moved = Arrangement(

@@ -14,10 +14,10 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.progress import note
 from arrangement.counts import region_count
 from arrangement.drawing.colours import BLUE, VERMILION, Choice, Painter, letter_colour, side_colour
-from arrangement.drawing.labels import SIZES, across, beside, keep_off, tried, write_if_free
+from arrangement.drawing.labels import SIZES, across, beside, keep_off, label_count, write_if_free
 from arrangement.drawing.scene import Box, Floats, PageMap, Scene, millimetres, ring
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
-from arrangement.drawing.solids.sight import face_normal, lit, unit, unit_vectors
+from arrangement.drawing.solids.sight import face_normal, shade, unit, unit_vectors
 from arrangement.drawing.views import Vector
 from arrangement.duals.schlegel import SchlegelDiagram, schlegel_diagram
 from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron, dual_zonotope
@@ -130,7 +130,7 @@ def _polyhedron(dual: DualPolyhedron, direction: IntegerVector, axes: Floats) ->
     towards = [dot(normal, direction) for normal in dual.face_normals]
     edges = edges_of(dual)
     pairs = [(u, v) for u, v, _ in edges]
-    edge_hidden, vertex_hidden = _hidden(pairs, dual.faces, towards, len(dual.signs))
+    edge_hidden, vertex_hidden = _hidden_part(pairs, dual.faces, towards, len(dual.signs))
     unit = dual.generators.denominator
     points = np.array([[float(x / unit) for x in vertex] for vertex in dual.integer_vertices])
     normals = unit_vectors(dual.face_normals) @ axes.T
@@ -155,7 +155,7 @@ def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats)
     towards = [triple_product(direction, difference(q, p), difference(r, p)) for p, q, r in corners]
     true, missing = sorted(hull.hull.true_edges), sorted(hull.missing)
     shared = {(min(u, v), max(u, v)): c for u, v, c in edges_of(hull.dual)}
-    edge_hidden, vertex_hidden = _hidden(true, hull.hull.triangles, towards, len(points))
+    edge_hidden, vertex_hidden = _hidden_part(true, hull.hull.triangles, towards, len(points))
     heights = [dot(point, direction) for point in points]
     edges = [(u, v, shared.get((u, v), -1)) for u, v in true] + [(u, v, -2) for u, v in missing]
     edge_hidden += tuple(heights[u] + heights[v] < 0 for u, v in missing)
@@ -169,7 +169,7 @@ def hull_solid(hull: RepresentativeHull, direction: IntegerVector, axes: Floats)
     return SeenSolid(seen, signs, tuple(edges), edge_hidden, vertex_hidden, faces)
 
 
-def _hidden(
+def _hidden_part(
     edges: Sequence[tuple[int, int]],
     faces: Sequence[Sequence[int]],
     towards: Sequence[int | Fraction],
@@ -374,7 +374,7 @@ class _SolidPanel:
             scene.circle(centre, radius, fill=False, ec="0.6", lw=0.4, zorder=1, gid="limb")
             self.limb = [ring(centre, radius)]
         for k, (cycle, normal) in enumerate(solid.faces):
-            grey = lit("#ffffff", normal, 0.8)
+            grey = shade("#ffffff", normal, 0.8)
             scene.polygon(
                 self.places[list(cycle)], fc=grey, ec="none", zorder=1, gid=f"face-{k + 1}"
             )
@@ -454,7 +454,7 @@ class _SolidPanel:
         order = sorted(range(len(far)), key=lambda v: (solid.vertex_hidden[v], -far[v]))
         seen = solid.vertex_hidden.count(False)
         missing = []
-        for v in order[: max(seen, tried(len(far)))] if self.names.kind != "none" else ():
+        for v in order[: max(seen, label_count(len(far)))] if self.names.kind != "none" else ():
             hidden = solid.vertex_hidden[v]
             if self.inside and not hidden:
                 self.scene.write(self.places[v], self._text(v), SIZES[1], zorder=7)

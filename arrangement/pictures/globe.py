@@ -32,7 +32,7 @@ from arrangement.drawing.labels import (
     beside,
     inside,
     keep_off,
-    spread,
+    spread_angles,
     turn,
     write_if_free,
 )
@@ -43,8 +43,8 @@ from arrangement.drawing.scene import (
     Scene,
     along,
     arrow,
-    flattened,
-    joined,
+    cubic_curves,
+    curve_points,
     ring,
 )
 from arrangement.drawing.solids.sight import (
@@ -52,7 +52,7 @@ from arrangement.drawing.solids.sight import (
     across,
     best_view,
     picture_axes,
-    turned,
+    turn_view,
     unit,
     unit_vectors,
     view_direction,
@@ -92,7 +92,7 @@ def orthographic(normal: Floats, start: Floats, angle: float) -> Floats:
     """Return the arc as seen from far away; within 10^-5 of the true ellipse."""
     place, speed = _points(normal, start, angle, math.pi / 8)
     step = angle / (len(place) - 1)
-    return joined(place[:, :2], speed[:, :2] * (4 / 3 * math.tan(step / 4)))
+    return cubic_curves(place[:, :2], speed[:, :2] * (4 / 3 * math.tan(step / 4)))
 
 
 def stereographic(normal: Floats, start: Floats, angle: float) -> Floats:
@@ -106,7 +106,7 @@ def stereographic(normal: Floats, start: Floats, angle: float) -> Floats:
     if abs(c) < 1e-9:
         ends, _ = _points(normal, start, angle, angle)
         flat = ends[:, :2] / (1 + ends[:, 2:])
-        return joined(flat, np.tile((flat[1] - flat[0]) / 3, (2, 1)))
+        return cubic_curves(flat, np.tile((flat[1] - flat[0]) / 3, (2, 1)))
     centre, radius = np.array([a / c, b / c]), 1 / abs(c)
     ends, _ = _points(normal, start, angle, angle)
     first, last = ends[:, :2] / (1 + ends[:, 2:]) - centre
@@ -118,7 +118,7 @@ def stereographic(normal: Floats, start: Floats, angle: float) -> Floats:
     at = math.atan2(first[1], first[0]) + way * np.linspace(0, sweep, pieces + 1)
     spoke = radius * np.stack([np.cos(at), np.sin(at)], axis=1)
     speed = way * np.stack([-spoke[:, 1], spoke[:, 0]], axis=1)
-    return joined(centre + spoke, speed * (4 / 3 * math.tan(sweep / pieces / 4)))
+    return cubic_curves(centre + spoke, speed * (4 / 3 * math.tan(sweep / pieces / 4)))
 
 
 @dataclass(frozen=True)
@@ -240,7 +240,7 @@ class CutChart(Drawn):
         if high - low < 1e-9:
             return np.empty((0, 2))
         ends = foot + np.array([[low], [high]]) * way
-        return joined(ends, np.tile((ends[1] - ends[0]) / 3, (2, 1)))
+        return cubic_curves(ends, np.tile((ends[1] - ends[0]) / 3, (2, 1)))
 
     def outline(self, region: int) -> Floats:
         """Return the boundary of the part of a region that is shown, or nothing."""
@@ -300,7 +300,7 @@ class Globe:
             self.direction = view_direction(direction)
         else:
             self.direction = clear_direction(*self.lines())
-        self.direction = turned(self.direction, azimuth)
+        self.direction = turn_view(self.direction, azimuth)
         self.cut = sphere_arrangement(Arrangement([*arrangement.normals, self.direction]))
         self.axes = picture_axes(self.direction)
 
@@ -474,14 +474,14 @@ class Disc:
             self.scene.curve(
                 outline, fc=paint(region), ec="none", gid=self.names.element("region", region.signs)
             )
-            outlines.append((region, flattened(outline)))
+            outlines.append((region, curve_points(outline)))
         if self.solid:
             self.scene.ball(self.centre, self.radius, "#ffffff55", "#0000003c", zorder=1.5)
-        hidden = self._hidden()
+        hidden = self._draw_back()
         self._names(both_ends)
         return outlines, self._arcs(), hidden
 
-    def _hidden(self) -> list[Floats]:
+    def _draw_back(self) -> list[Floats]:
         """Draw the half of each circle on the far side, dashed; return points along them."""
         globe, curves = self.globe, []
         for circle, normal in enumerate(globe.normals if self.solid else ()):
@@ -548,7 +548,7 @@ class Disc:
             near = [(end + 1e-9) % (2 * math.pi) - 1e-9 for end in ends]
             wanted += [(round(a, 8), self._lean(circle, a), text, circle) for a in near]
         wanted.sort()
-        placed = spread([angle for angle, *_ in wanted], 9.0 / (self.radius + RIM / 2))
+        placed = spread_angles([angle for angle, *_ in wanted], 9.0 / (self.radius + RIM / 2))
         for (angle, _, text, circle), at in zip(wanted, placed, strict=True):
             ends_at = np.array([[math.cos(angle), math.sin(angle)], [math.cos(at), math.sin(at)]])
             leader = self.on_paper(ends_at * [[1.0], [1 + 2.6 / self.radius]])

@@ -20,8 +20,8 @@ from arrangement.drawing.labels import (
     across,
     beside,
     keep_off,
+    label_count,
     sign_text,
-    tried,
     write_if_free,
 )
 from arrangement.drawing.scene import Floats, Scene
@@ -177,7 +177,7 @@ def draw_graph(
         InputError: too many planes or regions, unknown colouring.
     """
     planar = arrangement.is_central and arrangement.rank <= 3
-    graph = planar_graph(arrangement) if planar else _projected(arrangement)
+    graph = planar_graph(arrangement) if planar else _project_graph(arrangement)
     flat = planar or arrangement.dimension == 2
     names = RegionLabels(arrangement, labels, most=MOST if flat else FEW)
     scene = Scene(width, width)
@@ -201,7 +201,7 @@ def region_edges(arrangement: Arrangement) -> tuple[tuple[tuple[int, ...], ...],
     return tuple(map(tuple, regions)), tuple(neighbours(arrangement, arrangement.faces()))
 
 
-def _projected(arrangement: Arrangement) -> PlacedGraph:
+def _project_graph(arrangement: Arrangement) -> PlacedGraph:
     """Return the graph with signed sums of unit normals as places, seen in a plane."""
     signs, edges = region_edges(arrangement)
     size = arrangement.dimension
@@ -343,7 +343,7 @@ class GraphPicture:
     def _shapes(self) -> None:
         """Explain the shapes of vertices, with the colours where these say the same."""
         parity = self.colours.name == "parity"
-        fills = [self.colours.shown(fill) if parity else "white" for fill in CHECKERS]
+        fills = [self.colours.own_colour(fill) if parity else "white" for fill in CHECKERS]
         even = "even number of minus signs"
         if len(self.arrangement.distinct) < len(self.arrangement):
             even += f", coincident {self.names.items} counted once"
@@ -381,7 +381,7 @@ class GraphPicture:
         off = keep_off(self.segments, discs=self.places, radius=self.size)
         far = np.round(np.linalg.norm(self.places - self.centre, axis=1), 3)
         order = np.argsort(-far, kind="stable").tolist()
-        for v in order[: tried(len(far))] if self.names.kind != "none" else ():
+        for v in order[: label_count(len(far))] if self.names.kind != "none" else ():
             places = beside(
                 self.places[v],
                 away=self._gap(v),

@@ -86,11 +86,11 @@ class _HasseDiagram:
     def _margin(self, rank: int) -> str:
         flats = self.lattice.flats[rank]
         total = sum(self.lattice.moebius[flat] for flat in flats)
-        return f"rank {rank}\n{counted(len(flats), 'flat')}\n\u03a3\u03bc = {_signed(total)}"
+        return f"rank {rank}\n{counted(len(flats), 'flat')}\n\u03a3\u03bc = {_sign_text(total)}"
 
     def _row(self, scene: Scene, flats: tuple[Flat, ...]) -> _RankRow:
         names = [self._name(flat) for flat in flats]
-        values = [_signed(self.lattice.moebius[flat]) for flat in flats]
+        values = [_sign_text(self.lattice.moebius[flat]) for flat in flats]
         room = self.right - self.left
         for turned in (False, True):
             angle = 90.0 if turned else 0.0
@@ -166,7 +166,7 @@ class _HasseDiagram:
                     number += 1
 
 
-def _signed(value: int) -> str:
+def _sign_text(value: int) -> str:
     return f"\u2212{-value}" if value < 0 else str(value)
 
 
@@ -187,24 +187,24 @@ def layered_orders(sizes: Sequence[int], covers: Covers, fixed: int = 0) -> list
         covers: for each layer and each node, its neighbours in the next layer.
         fixed: this many layers, the first ones, keep their order.
     """
-    below = [_reversed(covers[k], sizes[k + 1]) for k in range(len(sizes) - 1)]
+    below = [_lower_covers(covers[k], sizes[k + 1]) for k in range(len(sizes) - 1)]
     orders = [list(range(size)) for size in sizes]
     best, fewest = orders, _crossings(orders, covers)
     for sweep in range(_SWEEPS):
         orders = [list(order) for order in orders]
         if sweep % 2:
             for k in range(len(sizes) - 2, fixed - 1, -1):
-                orders[k] = _sorted(orders[k], orders[k + 1], covers[k])
+                orders[k] = _sort_layer(orders[k], orders[k + 1], covers[k])
         else:
             for k in range(max(1, fixed), len(sizes)):
-                orders[k] = _sorted(orders[k], orders[k - 1], below[k - 1])
+                orders[k] = _sort_layer(orders[k], orders[k - 1], below[k - 1])
         count = _crossings(orders, covers)
         if count < fewest:
             best, fewest = orders, count
     return best
 
 
-def _reversed(covers: Sequence[Sequence[int]], size: int) -> list[list[int]]:
+def _lower_covers(covers: Sequence[Sequence[int]], size: int) -> list[list[int]]:
     below: list[list[int]] = [[] for _ in range(size)]
     for node, above in enumerate(covers):
         for cover in above:
@@ -212,7 +212,7 @@ def _reversed(covers: Sequence[Sequence[int]], size: int) -> list[list[int]]:
     return below
 
 
-def _sorted(
+def _sort_layer(
     order: Sequence[int], beside: Sequence[int], neighbours: Sequence[Sequence[int]]
 ) -> list[int]:
     """Return a layer in the order of the mean places of its neighbours in the layer beside it."""

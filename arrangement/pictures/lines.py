@@ -36,13 +36,13 @@ from arrangement.drawing.labels import (
     SIZES,
     beside,
     beyond,
-    fixed,
+    fixed_places,
     keep_off,
     sign_text,
     write_if_free,
 )
 from arrangement.drawing.scene import POINTS, Floats, PageMap, Scene, along, arrow
-from arrangement.drawing.solids.flat_polygons import between, clipped
+from arrangement.drawing.solids.flat_polygons import between, clip_polygon
 from arrangement.drawing.views import Corner
 from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError, refusal
@@ -148,7 +148,7 @@ class LineWindow:
         best, fewest = cls(*_around(vertices), vertices), len(boxes) + 1
         for share in _SHARES:
             middle, half = _around([vertices[k] for k in order[: round(share * len(order))]])
-            unseen = len(boxes) - _seen(boxes, middle, half)
+            unseen = len(boxes) - _count_visible(boxes, middle, half)
             if unseen < fewest:
                 inside = [p for p in vertices if _inside(p, middle, half)]
                 best = cls(middle, half, inside, len(vertices) - len(inside))
@@ -216,7 +216,7 @@ def _inside(point: RationalVector, middle: RationalVector, half: RationalVector)
     return all(abs(x - c) <= h for x, c, h in zip(point, middle, half, strict=True))
 
 
-def _seen(boxes: Floats, middle: RationalVector, half: RationalVector) -> int:
+def _count_visible(boxes: Floats, middle: RationalVector, half: RationalVector) -> int:
     """Return how many regions have their middle in a window, and a size that is seen."""
     centres, sizes = (boxes[:, :2] + boxes[:, 2:]) / 2, (boxes[:, 2:] - boxes[:, :2]).max(axis=1)
     centre, room = (np.array([float(x) for x in v]) for v in (middle, half))
@@ -306,12 +306,12 @@ class LinesChart:
 
     def outline(self, region: int) -> Floats:
         """Return the corners of the part of a region in the window."""
-        return _places(self._clipped(self.corners, region))
+        return _places(self._clip(self.corners, region))
 
     def edge(self, arc: int) -> Floats:
         """Return the ends of the part of an edge in the window, (2, 2)."""
         ends = self._ends(int(self.incidence.arc_circle[arc]))
-        return _places(dict.fromkeys(self._clipped(ends, int(self.incidence.region[2 * arc]))))
+        return _places(dict.fromkeys(self._clip(ends, int(self.incidence.region[2 * arc]))))
 
     def vertex(self, vertex: int) -> Floats:
         """Return the place of a vertex."""
@@ -331,13 +331,13 @@ class LinesChart:
                 ends.append(between(p, q, at_p, at_q))
         return ends
 
-    def _clipped(self, loop: list[IntegerVector], region: int) -> list[IntegerVector]:
+    def _clip(self, loop: list[IntegerVector], region: int) -> list[IntegerVector]:
         """Return the part of a convex polygon of homogeneous points in the closure of a region."""
         inside = self.sphere.region_witness(region)
         circles = self.incidence.arc_circle[self._boundary(region) >> 1].tolist()
         for row in (self.sphere.circle_normals[circle] for circle in circles):
             side = sign(dot(row, inside))
-            loop = clipped(loop, [side * dot(row, p) for p in loop])
+            loop = clip_polygon(loop, [side * dot(row, p) for p in loop])
         return loop
 
     # Whole
@@ -574,7 +574,7 @@ class _Sheet:
         off = keep_off(others)
         centres = np.array([_along(line, t) for t in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)])
         look: dict[str, Any] = {"off": off, "color": BLUE}
-        if write_if_free(self.scene, [text], SIZES, fixed(centres), **look):
+        if write_if_free(self.scene, [text], SIZES, fixed_places(centres), **look):
             left, low, right, high = self.scene.boxes[-1]
             plate = [(left, low), (right, low), (right, high), (left, high)]
             self.scene.polygon(plate, fc="white", ec="none", zorder=3.5, role="line")

@@ -123,10 +123,10 @@ def give_looks(scene: Scene, planes: Planes, looks: Mapping[int, Look]) -> None:
     by_element = {k + 1: look for k, look in own.items()}
     classes = {members[0]: plane_names(planes, members) for members in planes.distinct}
     by_text = {classes[k]: look for k, look in own.items()}
-    scene.items[:] = [_restyled(item, by_element, by_text) for item in scene.items]
+    scene.items[:] = [_restyle(item, by_element, by_text) for item in scene.items]
     legend = scene.legend
     legend.keys[:] = [
-        Key([_stroked(x, by_text[key.text]) for x in key.symbol], key.width, key.text)
+        Key([_restroke(x, by_text[key.text]) for x in key.symbol], key.width, key.text)
         if key.text in by_text and all(isinstance(x, Path) for x in key.symbol)
         else key
         for key in legend.keys
@@ -138,7 +138,7 @@ def give_looks(scene: Scene, planes: Planes, looks: Mapping[int, Look]) -> None:
             legend.key(stroke(**style), text)
 
 
-def _restyled(item: Item, by_element: Mapping[int, Look], by_text: Mapping[str, Look]) -> Item:
+def _restyle(item: Item, by_element: Mapping[int, Look], by_text: Mapping[str, Look]) -> Item:
     if isinstance(item, Label):
         look = by_text.get(item.text) if item.style.get("style") == "italic" else None
         if look is None or not look.colour:
@@ -146,14 +146,14 @@ def _restyled(item: Item, by_element: Mapping[int, Look], by_text: Mapping[str, 
         if plate := item.style.get("plate"):
             return replace(item, style={**item.style, "plate": {**plate, "fc": look.colour}})
         return replace(item, style={**item.style, "color": readable(look.colour)})
-    for pattern, restyle in ((_STROKE, _stroked), (_FILL, _filled)):
+    for pattern, restyle in ((_STROKE, _restroke), (_FILL, _refill)):
         found = pattern.fullmatch(item.name)
         if found and (look := by_element.get(int(next(filter(None, found.groups()))))):
             return restyle(item, look)
     return item
 
 
-def _stroked(item: Item, look: Look) -> Item:
+def _restroke(item: Item, look: Look) -> Item:
     """Return a line with a look; what is hidden stays dashed."""
     style = dict(item.style)
     if look.colour:
@@ -164,5 +164,5 @@ def _stroked(item: Item, look: Look) -> Item:
     return replace(item, style=style)
 
 
-def _filled(item: Item, look: Look) -> Item:
+def _refill(item: Item, look: Look) -> Item:
     return replace(item, style={**item.style, "fc": look.colour}) if look.colour else item

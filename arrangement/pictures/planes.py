@@ -22,13 +22,20 @@ from arrangement.drawing.labels import (
     beyond,
     inside,
     keep_off,
-    spread,
+    spread_angles,
     turn,
     write_if_free,
 )
 from arrangement.drawing.scene import Floats, PageMap, Scene, area, arrow, measure
 from arrangement.drawing.solids.depth_tree import SolidSheet
-from arrangement.drawing.solids.sight import light, lit, turned, unit, unit_vectors, view_direction
+from arrangement.drawing.solids.sight import (
+    light,
+    shade,
+    turn_view,
+    unit,
+    unit_vectors,
+    view_direction,
+)
 from arrangement.drawing.solids.surface import Patch
 from arrangement.drawing.views import Exact, Vector, picture
 from arrangement.duals.cells import cut_cells, read_signs
@@ -39,6 +46,7 @@ from arrangement.numbers.symbolic import real_vector
 from arrangement.pictures.coordinates import (
     INK,
     AxisNames,
+    apply_map,
     caption,
     coordinate_map,
     drawn_axes,
@@ -46,7 +54,6 @@ from arrangement.pictures.coordinates import (
     in_space,
     in_view_space,
     inverse_root,
-    mapped,
     planes_view,
     point_map,
     rounded_map,
@@ -91,7 +98,7 @@ def cut_out(
     matrix = np.eye(4) if matrix is None else matrix
     normals = [row[:-1] for row in arrangement.integer_planes]
     if plane is None:
-        equation: IntegerVector = (*_clear_normal(normals, mapped(matrix, space)[0]), 1)
+        equation: IntegerVector = (*_clear_normal(normals, apply_map(matrix, space)[0]), 1)
     else:
         equation = primitive(real_vector(plane, "section"))
         d = arrangement.dimension
@@ -106,7 +113,7 @@ def cut_out(
                 "their normals"
             )
     both = Arrangement([*normals, equation[:-1]], [0] * len(normals) + [equation[-1]])
-    *given, (*normal, offset) = mapped(matrix, in_space(both, 4))[0].integer_planes
+    *given, (*normal, offset) = apply_map(matrix, in_space(both, 4))[0].integer_planes
     basis = cut(standard_basis(4), normal)
     lengths = np.array([math.hypot(*map(float, row)) for row in basis])
     units = np.array(basis, dtype=float) / lengths[:, None]
@@ -330,7 +337,7 @@ class PlanesSheet(SolidSheet):
         wall, normal = item.cell.walls[k], item.normals[k]
         if wall < 0 and self.round:
             normal = unit(item.points[list(item.cell.faces[k])].mean(axis=0) - item.shift)
-        colour = lit(SKIN if wall < 0 else self.colour(wall), normal)
+        colour = shade(SKIN if wall < 0 else self.colour(wall), normal)
         name = f"cell-{sign_text(item.cell.signs)}"
         look: dict[str, Any] = {"lw": 0.3, "zorder": self.z, "joinstyle": "round", "gid": name}
         self.scene.polygon(corners, fc=colour, ec=colour, **look)
@@ -354,13 +361,13 @@ class PlanesSheet(SolidSheet):
                 [min((abs(turn(a - b)) for b, *_ in wanted), default=3.0) for a in angles]
             )
             depth = np.array([1 - self._gauge(p[:2]) for p in points])
-            score = np.minimum(gap, 0.35) - 2.5 * depth - 3.0 * self._covered(points)
+            score = np.minimum(gap, 0.35) - 2.5 * depth - 3.0 * self._cover_cost(points)
             best = int(np.argmax(np.round(score, 6)))
-            if self._covered(points[best : best + 1])[0]:
+            if self._cover_cost(points[best : best + 1])[0]:
                 continue
             text = plane_names(self.stage.arrangement, members)
             wanted.append((float(angles[best]), points[best], text, self.colour(label)))
-        placed = spread([angle for angle, *_ in wanted], 0.13)
+        placed = spread_angles([angle for angle, *_ in wanted], 0.13)
         for (_, point, text, colour), angle in zip(wanted, placed, strict=True):
             way = np.array([math.cos(angle), math.sin(angle)])
             edge = way / max(1e-9, self._gauge(way))
@@ -370,7 +377,7 @@ class PlanesSheet(SolidSheet):
             places = beyond(rim[None], way[None], (5.6,))
             write_if_free(self.scene, [text], SIZES[:1], places, plate=box, style="italic")
 
-    def _covered(self, points: Floats) -> Floats:
+    def _cover_cost(self, points: Floats) -> Floats:
         """Return 1 for points whose number would stand on or at a lifted cell, else 0."""
         from matplotlib.path import Path
 
@@ -524,7 +531,7 @@ def draw_planes(
     cells = cut_cells(arrangement, body, centre, radius)
     if toward is None:
         toward = clear_sight(cells, raised)
-    stage = Stage(cells, turned(toward, azimuth))
+    stage = Stage(cells, turn_view(toward, azimuth))
     lifted = lifted_cells(stage, raised)
     sheet = PlanesSheet(stage, lifted, paint, width, StagedAxes(stage, shown))
     if sides:
@@ -533,7 +540,7 @@ def draw_planes(
     sheet.name_axes()
     sheet.name_cells(names)
     names.explain(sheet.scene.legend, raised)
-    sheet.scene.maps.append(PageMap(place=lambda p: sheet.place(stage.seen(moved(p))), size=3))
+    sheet.scene.maps.append(PageMap(place=lambda p: sheet.place(stage.in_view(moved(p))), size=3))
     return sheet.scene
 
 
@@ -590,13 +597,13 @@ def draw_section(
 
 def _painter(colour: str | FacetPainter) -> FacetPainter:
     painters: dict[str, FacetPainter] = {
-        "planes": lambda facet: lit(plane_colour(facet.label), _facing(facet), 0.7),
-        "shade": lambda facet: lit("#ffffff", _facing(facet), 0.1),
+        "planes": lambda facet: shade(plane_colour(facet.label), _facing(facet), 0.7),
+        "shade": lambda facet: shade("#ffffff", _facing(facet), 0.1),
         "none": lambda facet: "#ffffff",
     }
     name, own = read_choice(colour)
     if own and name is None:
-        return lambda facet: lit(own[facet.label % len(own)], _facing(facet), 0.7)
+        return lambda facet: shade(own[facet.label % len(own)], _facing(facet), 0.7)
     return chosen(colour, painters)
 
 

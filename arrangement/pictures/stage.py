@@ -24,7 +24,7 @@ from arrangement.drawing.solids.depth_tree import (
     back_to_front,
     depth_tree,
     halves,
-    joined,
+    join_trees,
     plane_tree,
 )
 from arrangement.drawing.solids.sight import (
@@ -35,7 +35,7 @@ from arrangement.drawing.solids.sight import (
     unit_vectors,
     views,
 )
-from arrangement.drawing.solids.surface import Patch, rounded
+from arrangement.drawing.solids.surface import Patch, float_points
 from arrangement.duals.cells import Cell, Cells
 from arrangement.errors import InputError, extra
 from arrangement.numbers.exact import IntegerVector, dot, primitive, reduced, unoriented
@@ -88,7 +88,7 @@ class Stage:
         """The arrangement."""
         return self.cells.arrangement
 
-    def seen(self, point: Floats) -> Floats:
+    def in_view(self, point: Floats) -> Floats:
         """Return a point of R^3 in the axes of the picture, where the body has its place."""
         body = self.cells.body
         centre = np.array([float(x) for x in body.centre])
@@ -143,7 +143,7 @@ class Stage:
 
 def unit_points(cells: Cells) -> Floats:
     """Return the points of the cells with the body at the origin and of radius 1, (P, 3)."""
-    return rounded(exact_points(cells))
+    return float_points(exact_points(cells))
 
 
 def exact_points(cells: Cells) -> list[IntegerVector]:
@@ -458,7 +458,7 @@ def with_lifted(
     for row, front in reversed(fronts):
         nodes = depth_tree(front, lambda group: len({p.name.split()[0] for p in group}) == 1)
         drawn = [Node(n.row, [draw(n.patches)], n.front, n.back) for n in nodes]
-        tree = joined(row, drawn, tree)
+        tree = join_trees(row, drawn, tree)
     return tree
 
 

@@ -32,11 +32,11 @@ from arrangement.numbers.exact import (
 from arrangement.numbers.linear.rank import rank
 from arrangement.numbers.real import field_of, written
 from arrangement.numbers.symbolic import (
+    as_list,
     entry,
     equations_of,
     exact_matrix,
     in_one_field,
-    listed,
     planes_of,
     real_vector,
 )
@@ -108,7 +108,7 @@ class Planes:
         axes: Iterable[str] = (),
         names: Names = (),
     ) -> None:
-        given = _listed(normals)
+        given = _rows_as_list(normals)
         entries = sum(len(row) for row in given if isinstance(row, (list, tuple)))
         budget.check_cost(f"{entries:,} numbers", "give fewer planes", bytes=60 * entries)
         plain = plain_rows(given)
@@ -169,9 +169,9 @@ class Planes:
         >>> Planes.from_equations(["x = y", "2*x + 3*z - 1"]).integer_planes
         ((1, -1, 0, 0), (2, 0, 3, 1))
         """
-        given = listed(equations, "equations")
+        given = as_list(equations, "equations")
         if given and all(isinstance(equation, str) for equation in given):
-            names = None if symbols is None else [str(x) for x in listed(symbols, "symbols")]
+            names = None if symbols is None else [str(x) for x in as_list(symbols, "symbols")]
             rows, constants, names = planes_of_text(given, names)
             return cls(rows, constants, dimension=len(names))
         normals, offsets, dimension = planes_of(given, symbols)
@@ -409,7 +409,7 @@ class Planes:
 def checked_names(names: Names, count: int, what: str = "plane") -> tuple[str, ...]:
     """Return a name for each of some planes, "" for none; nothing if no plane has one."""
     texts = (
-        dict(names) if isinstance(names, Mapping) else dict(enumerate(listed(names, "names"), 1))
+        dict(names) if isinstance(names, Mapping) else dict(enumerate(as_list(names, "names"), 1))
     )
     if not isinstance(names, Mapping) and len(texts) not in (0, count):
         raise InputError(f"there are {len(texts)} names and {count} {what}s; give one for each")
@@ -438,7 +438,7 @@ def _check_digits(numbers: Iterable[Any]) -> None:
     budget.check_cost(what, "round them", steps=steps)
 
 
-def _listed(normals: Any) -> list[Any]:
+def _rows_as_list(normals: Any) -> list[Any]:
     """Return the rows of the input as a list, refusing what is not a sequence."""
     if hasattr(normals, "tolist"):  # SymPy's matrices and arrays run through their entries
         normals = normals.tolist()

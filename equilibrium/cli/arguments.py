@@ -102,9 +102,9 @@ def contact_number(text: str) -> int:
 
 def built_in() -> Iterable[str]:
     """Return the names of the built-in grasps."""
-    from arrangement.library.files.json_files import described
+    from arrangement.library.files.json_files import descriptions
 
-    return described("contacts")
+    return descriptions("contacts")
 
 
 def add_as_given(parser: argparse.ArgumentParser) -> None:

@@ -99,10 +99,12 @@ def _parser() -> Parser:
 
 
 def _list(arguments: argparse.Namespace) -> int:
-    from arrangement.library.files.json_files import described
+    from arrangement.library.files.json_files import descriptions
 
-    bodies = {name: f"(contact modes alone) {text}" for name, text in described("normals").items()}
-    return terminal.print_names(described("contacts") | bodies, arguments.json)
+    bodies = {
+        name: f"(contact modes alone) {text}" for name, text in descriptions("normals").items()
+    }
+    return terminal.print_names(descriptions("contacts") | bodies, arguments.json)
 
 
 if __name__ == "__main__":

@@ -39,7 +39,7 @@ class Effort(Deadline):
     @classmethod
     def usual(cls, steps: float) -> Effort:
         """Return steps for one question, scaled; no more than the command that runs has left."""
-        return cls(min(steps * budget.times(), budget.left()))
+        return cls(min(steps * budget.times(), budget.steps_left()))
 
     @property
     def passed(self) -> bool:

@@ -16,7 +16,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from arrangement.drawing.scene import Floats, PageMap, arc, flattened
+from arrangement.drawing.scene import Floats, PageMap, arc, curve_points
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear.rank import cycle_edges, difference
 from equilibrium.model.grasp import Grasp
@@ -159,7 +159,7 @@ def _around(stops: Sequence[_Stop], centre: Floats) -> Floats | None:
         arm = 0.38 * float(np.linalg.norm(q - p))
         pieces.append((p, p + arm * u, q - arm * v, q))
     curve = _joined(pieces)
-    return None if len(stops) < 3 or _crosses(flattened(curve, 12)) else curve
+    return None if len(stops) < 3 or _crosses(curve_points(curve, 12)) else curve
 
 
 def _crosses(points: Floats) -> bool:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.console.number_form import LABEL
-from arrangement.drawing.scene import Floats, Scene, flattened
+from arrangement.drawing.scene import Floats, Scene, curve_points
 from arrangement.drawing.views import Corner, Exact, Vector, picture
 from arrangement.numbers.exact import sign
 from equilibrium.decide.solver import Solver
@@ -163,7 +163,7 @@ class GraspLayout(PlaneLayout):
 
 
 def drawn(layout: GraspLayout, width: float, tallest: float | None = None) -> Scene:
-    """Return the picture; see `fitted` for its size."""
+    """Return the picture; see `fit_sheet` for its size."""
     scene, scale = layout.scene(width, tallest)
     for line, emphasis in _lines(layout):
         scene.legend.line(line, emphasis)
@@ -199,7 +199,7 @@ def _cone_rim(curve: Floats | None, place: Floats, normal: Floats, friction: Fra
     ways: Floats = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     if curve is None:
         return place + CONE * ways
-    free = free_lengths(flattened(curve), place, angles)
+    free = free_lengths(curve_points(curve), place, angles)
     reach = np.minimum(free, max(min(CONE, 0.92 * float(free.min())), CONE / 2))
     return place + reach[:, None] * ways
 

@@ -21,8 +21,8 @@ from arrangement.drawing.scene import (
     Legend,
     Scene,
     arrow,
-    fitted,
-    flattened,
+    curve_points,
+    fit_sheet,
     ring,
     turning_arrow,
 )
@@ -173,7 +173,7 @@ class PlaneLayout:
         held += [] if self.origin is None else [np.array([self.origin])]
         for body in self.bodies:
             if body.curve is not None:
-                held.append(flattened(body.curve))
+                held.append(curve_points(body.curve))
                 if self.moves(body):
                     held.append(self.displaced(body, held[-1]))
         held += self.cones
@@ -196,8 +196,8 @@ class PlaneLayout:
         return np.concatenate(held)
 
     def scene(self, width: float, tallest: float | None = None) -> tuple[Scene, float]:
-        """Return the picture, without legend, and its scale; see `fitted` for its size."""
-        scene, scale, shift = fitted(width, (self.content(), AROUND), tallest=tallest)
+        """Return the picture, without legend, and its scale; see `fit_sheet` for its size."""
+        scene, scale, shift = fit_sheet(width, (self.content(), AROUND), tallest=tallest)
         scene.maps.append(self.frame.page_map(scale, shift))
         picture = PlanePicture(self, scene, scale, shift)
         picture.bodies()
@@ -249,12 +249,12 @@ class PlanePicture:
         scene.curve(curve, fc=PALE, ec="none", gid=f"body{body.tag}", zorder=0)
         look: dict[str, Any] = {"ec": GREY, "lw": 0.7, "ls": dashes, "zorder": 2}
         scene.curve(curve, fill=False, gid=f"outline{body.tag}", **look)
-        self.labels.avoid(flattened(curve))
+        self.labels.avoid(curve_points(curve))
         if self.layout.moves(body):
             moved = self.at(self.layout.displaced(body, outline))
             look = {"ec": BLUE, "lw": 0.9, "ls": _DOTS, "role": "arrow", "zorder": 2.5}
             scene.curve(moved, fill=False, gid=f"motion{body.tag}", **look)
-            self.labels.avoid(flattened(moved))
+            self.labels.avoid(curve_points(moved))
 
     def _links(self, body: DrawnBody) -> None:
         middle, places = self.at(body.middle), [self.layout.places[i] for i in body.touching]

@@ -265,7 +265,7 @@ class Panel:
             middle = np.tile(shape.mean(axis=0), (1, 2))
             if len(shape) == 2 and covering(keep_off(dangling), middle, 1e-9).any():
                 alone.add(i)
-        with self.scene.clipped(clip or self.box):
+        with self.scene.clip(clip or self.box):
             for _, i, shape, states in parts:
                 self._piece(i, self.at(shape), states, by_states, i in alone)
             self._outline(region)
@@ -336,7 +336,7 @@ class Panel:
     def fade(self) -> None:
         """Fade what reaches the edge: it is unbounded."""
         rings, closed = 12, np.vstack([SQUARE, SQUARE[:1]])
-        with self.scene.clipped(self.box):
+        with self.scene.clip(self.box):
             for k in range(rings):
                 inner = 1 - _FADE * (rings - k) / rings
                 ring = np.concatenate([1.01 * closed, inner * closed[::-1]])

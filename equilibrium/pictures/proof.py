@@ -23,7 +23,7 @@ from arrangement.drawing.scene import (
     area,
     arrow,
     checked_width,
-    flattened,
+    curve_points,
     turning_arrow,
 )
 from arrangement.drawing.views import Exact, picture
@@ -326,7 +326,7 @@ def _example(
                 scene, at, reach, 1 if r > 0 else -1, color=BLUE, gid=f"{name}centre", zorder=7
             )
             scene.mark(at, "o", 2.5, color=BLUE, zorder=7)
-            drawn.labels.avoid(flattened(arc(at, reach, 0, 2 * math.pi)))
+            drawn.labels.avoid(curve_points(arc(at, reach, 0, 2 * math.pi)))
     drawn.letter()
     if len(verdict.grasp) <= _WRITTEN:
         drawn.numbers()
@@ -470,7 +470,7 @@ def _grasp_data(grasp: Grasp) -> dict[str, Any]:
             for contact, place, rim in zip(grasp, layout.places, layout.cones, strict=True)
         ],
         "stated": layout.body.stated,
-        "outline": None if curve is None else floats(flattened(curve, 16)),
+        "outline": None if curve is None else floats(curve_points(curve, 16)),
         "origin": floats(np.clip(frame.paper((Fraction(0),) * 2), -1.5, 1.5)),
         "centre": [float(x) for x in frame.centre],
         "size": float(frame.half),

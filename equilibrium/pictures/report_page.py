@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from arrangement.console.number_form import LABEL, counted
 from arrangement.drawing.output import image
-from arrangement.drawing.pages import BASE_STYLE, CARD_STYLE, Template, framed
+from arrangement.drawing.pages import BASE_STYLE, CARD_STYLE, Template, html_document
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.decide.verdict import Verdict
@@ -88,7 +88,7 @@ def report_page(
         f"{'' if verdict is None else chip}</header>"
     )
     body = f"{top}\n<main>{''.join(sections)}</main>"
-    return framed("Grasp report", body, [BASE_STYLE, CARD_STYLE, _STYLE], [])
+    return html_document("Grasp report", body, [BASE_STYLE, CARD_STYLE, _STYLE], [])
 
 
 def _banner(grasp: Grasp, verdict: Verdict | None) -> _Banner:

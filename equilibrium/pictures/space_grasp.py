@@ -26,20 +26,20 @@ from arrangement.drawing.solids.pieces import (
     drawn_edges,
     flat,
     head_of,
-    merged,
+    merge_faces,
     open_edges,
     segment,
 )
 from arrangement.drawing.solids.sight import (
     best_view,
     picture_axes,
-    turned,
+    turn_view,
     unit,
     unit_vectors,
     view_direction,
     views,
 )
-from arrangement.drawing.solids.surface import Patch, rounded
+from arrangement.drawing.solids.surface import Patch, float_points
 from arrangement.drawing.views import Vector
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
@@ -186,7 +186,7 @@ class SolidGrasp:
             faces = [face[::-1] for face in faces]
         if len(outline.faces) > _MOST_FACETS:
             return (*convex_hull(points), False)
-        return points, merged(points, faces), True
+        return points, merge_faces(points, faces), True
 
     @cached_property
     def largest_force(self) -> float:
@@ -375,7 +375,7 @@ def drawn_in_space(
         note: what is said of the answer, if anything.
     """
     towards = clear_side(solid) if direction is None else view_direction(direction)
-    return _SpatialGraspPicture(solid, turned(towards, azimuth), width, note).scene
+    return _SpatialGraspPicture(solid, turn_view(towards, azimuth), width, note).scene
 
 
 def clear_side(solid: SolidGrasp) -> IntegerVector:
@@ -398,7 +398,7 @@ class _SpatialGraspPicture(SolidSheet):
     def __init__(self, solid: SolidGrasp, towards: IntegerVector, width: float, note: str) -> None:
         self.solid, self.stated = solid, solid.body[2]
         nodes = solid.tree(np.array(towards, float))
-        held = [rounded(p.corners) for node in nodes for p in node.patches]
+        held = [float_points(p.corners) for node in nodes for p in node.patches]
         content = np.concatenate([np.zeros((1, 3)), *held]) @ picture_axes(towards).T
         super().__init__(towards, width, (content, AROUND), tallest=None)
         self.count, self.labels = 0, Labels(self.scene)
@@ -576,7 +576,11 @@ def grasp_page(
     legend += [(INKS["wrench"], "applied wrench")] * any(solid.wrench)
     legend += [(INKS["slip"], "axis of the motion, and slips")] * (solid.screw is not None)
     reach = max(
-        (float(np.linalg.norm(rounded(p.corners), axis=1).max()) for n in tree for p in n.patches),
+        (
+            float(np.linalg.norm(float_points(p.corners), axis=1).max())
+            for n in tree
+            for p in n.patches
+        ),
         default=1.0,
     )
     return SolidPage(

@@ -13,7 +13,7 @@ from arrangement.console.number_form import LABEL
 from arrangement.console.options.signature import Syntax
 from arrangement.console.options.values import rational_argument
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALETTE, VERMILION
-from arrangement.drawing.labels import Labels, fixed
+from arrangement.drawing.labels import Labels, fixed_places
 from arrangement.drawing.scene import POINTS, Floats, Legend, Scene, Symbol, arc, arrow
 from arrangement.numbers.exact import RationalVector
 from arrangement.pictures.names import HALF, WIDTH, canvas, stroke, swatch
@@ -68,7 +68,7 @@ def name_wrench(
     centres = np.concatenate([end + out * ways for out in (9, 13, 18) for end in ends])
     if away is not None:
         centres = centres[np.linalg.norm(centres - away[0], axis=1) > away[1]]
-    labels.write("w", fixed(centres), color=VERMILION, style="italic", weight="bold")
+    labels.write("w", fixed_places(centres), color=VERMILION, style="italic", weight="bold")
 
 
 def ticks(middle: Fraction, half: Fraction, factor: Fraction = _ONE) -> Iterator[tuple[float, str]]:

@@ -26,12 +26,12 @@ from arrangement.drawing.solids.sight import (
     best_view,
     light,
     picture_axes,
-    turned,
+    turn_view,
     unit_vectors,
     view_direction,
     views,
 )
-from arrangement.drawing.solids.surface import Patch, rounded, surface
+from arrangement.drawing.solids.surface import Patch, float_points, surface
 from arrangement.drawing.views import Exact, Vector, picture
 from arrangement.errors import InputError
 from arrangement.numbers.exact import (
@@ -273,7 +273,7 @@ def draw_wrench_set(
     applied = None if wrench is None else read_wrench(wrench)
     box = wrench_box(grasp, read_extent(extent))
     towards = box.clear_side if camera is None else view_direction(camera)
-    towards = turned(towards, azimuth)
+    towards = turn_view(towards, azimuth)
     if width < _BOTH:
         return _WrenchSetPicture(grasp, box, towards, applied, width).scene
     right = _WrenchSetPicture(grasp, box, towards, applied, width * 0.6).scene
@@ -377,7 +377,7 @@ class _WrenchSetPicture(SolidSheet):
         """The walls, as axis and side, that cut what the set has in each plane."""
         places: dict[tuple[int, ...], list[Floats]] = {}
         for patch in (p for node in self.box.tree for p in node.patches if len(p.corners) > 2):
-            places.setdefault(patch.row, []).append(rounded(patch.corners))
+            places.setdefault(patch.row, []).append(float_points(patch.corners))
         corners = {row: np.concatenate(parts) for row, parts in places.items()}
         sides = list(product(range(3), (1, -1)))
         return {
@@ -391,7 +391,7 @@ class _WrenchSetPicture(SolidSheet):
 
     def _fade(self, patch: Patch, z: float) -> None:
         """Fade a face to white towards each wall that cuts its plane."""
-        corners = rounded(patch.corners)
+        corners = float_points(patch.corners)
         for axis, side in self._cuts[patch.row]:
             for k in range(_STEPS):
                 part = clipped(corners, side * np.eye(3)[axis], 1 - _FADE * (1 - k / _STEPS))
@@ -559,7 +559,7 @@ def wrench_set_model(
         if shape.dimension == 3:
             walls = [tuple(-x for x in row) for row in WALLS]
             colours = tuple(CUT if row in walls else SOLID for row in shape.inequalities)
-            points = half * rounded(shape.homogeneous[0])
+            points = half * float_points(shape.homogeneous[0])
             parts.append(
                 ClosedSurface("-".join(piece.states) or "all", points, shape.cycles, colours)
             )

@@ -16,7 +16,7 @@ import numpy as np
 from arrangement.console.number_form import ReprMixin, counted
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import IntegerVector, from_floats
-from arrangement.numbers.float_filter import SMALLEST, Booleans, Floats, error_bound, scaled
+from arrangement.numbers.float_filter import SMALLEST, Booleans, Floats, error_bound, scale_rows
 from equilibrium.decide.many_grasps.arrays import exact_floats
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -88,7 +88,7 @@ class _Facets:
             # The last one holds everywhere: a piece may have no facets.
             rows += [*shape.inequalities, *shape.equalities]
             rows += [tuple(-x for x in row) for row in shape.equalities] + [(0, 0, 0, 1)]
-        floats, usable = scaled(rows)
+        floats, usable = scale_rows(rows)
         self.rows, self.starts = floats.reshape(-1, 4), np.array(starts, dtype=np.intp)
         self.usable = np.logical_and.reduceat(usable, self.starts) if starts else usable
 

@@ -20,7 +20,7 @@ from arrangement.console.number_form import ReprMixin
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, reduced
-from arrangement.numbers.float_filter import SMALLEST, Booleans, error_bound, scaled
+from arrangement.numbers.float_filter import SMALLEST, Booleans, error_bound, scale_rows
 from arrangement.numbers.linear.cones import Cone
 from arrangement.numbers.linear.intervals import Interval, intersection, union
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
@@ -196,12 +196,14 @@ class StateImages:
         springs, slips = ([getattr(c, name) for c in self._contacts] for name in ("spring", "slip"))
         rows = np.array([*springs, (0, 0, 0, 1), *slips], object)
         values = np.array(motions, object) @ rows.T
-        forces, moves = (scaled(part.tolist())[0] for part in np.hsplit(values, [len(bounds) + 1]))
+        forces, moves = (
+            scale_rows(part.tolist())[0] for part in np.hsplit(values, [len(bounds) + 1])
+        )
         # For each contact and state what it adds at least, and less what it adds at most.
         both = [((0, 0), *(b[state] for state in _TOUCHING)) for b in bounds]
         ends = [sign * pair[k] for k, sign in ((0, 1), (1, -1)) for of in both for pair in of]
         constant = self._constant_on(plane)
-        factors = scaled([(*ends, constant, -constant)])[0][0]
+        factors = scale_rows([(*ends, constant, -constant)])[0][0]
         constants, factors = factors[-2:], factors[:-2].reshape(2, len(bounds), 4)
         codes = np.array([[_CODES[state] for state in states] for states in listed], np.intp)
         stick = codes == _CODES["stick"]

@@ -115,7 +115,7 @@ def _pair_by_solver(options: Collection[str], question: Question) -> Pair:
 def _normal_forces_solved(question: Question) -> tuple[tuple[Interval, ...], ...]:
     verdict = Solver(grasp_of(question)).solve(question.wrench)
     return tuple(
-        oracle.united(piece.force_ranges[i][0] for piece in verdict.equilibria)
+        oracle.union(piece.force_ranges[i][0] for piece in verdict.equilibria)
         for i in range(len(question.contacts))
     )
 

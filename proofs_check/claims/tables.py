@@ -48,7 +48,7 @@ def _rows(
         yield Case(label, subject, question.to_dict(), assumed)
 
 
-def _substituted(row: TableRow) -> str:
+def _by_substitution(row: TableRow) -> str:
     if not oracle.stable(row.question):
         return "No"
     fits = row.motion and not oracle.violations(row.question, row.motion, row.forces)
@@ -150,7 +150,7 @@ def _held_both_ways(question: Question) -> tuple[oracle.Interval, ...]:
     down = [-x for x in question.wrench]
     up, below = (resisted_magnitudes(grasp, w).intervals for w in (question.wrench, down))
     turned = [(b and -b, a and -a) for a, b in below]
-    return oracle.united([*turned, *up])
+    return oracle.union([*turned, *up])
 
 
 _table = partial(
@@ -161,19 +161,19 @@ _table = partial(
 CLAIMS = (
     _table(
         "table-three-contacts",
-        substitution=_substituted,
+        substitution=_by_substitution,
         solver=_solved,
         explain=_explain_row,
         cases=partial(_rows, printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
     ),
     _table(
         "table-four-contacts",
-        substitution=_substituted,
+        substitution=_by_substitution,
         solver=_solved,
         explain=_explain_row,
         cases=partial(_rows, printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS),
     ),
-    _table("downward-forces", substitution=_substituted, solver=_solved, cases=_downward),
+    _table("downward-forces", substitution=_by_substitution, solver=_solved, cases=_downward),
     stated(
         "vertical-limits",
         elimination=_held_exactly,

@@ -25,7 +25,7 @@ def run_fit(arguments: argparse.Namespace) -> int:
     """Print the values of a quantity on a family, and the polynomial that they fit."""
     named, of = arguments.quantity, arguments.of
     if claim_file.split(named)[0]:
-        claims = claim_file.named(named)
+        claims = claim_file.claims_named(named)
         if of or len(claims) > 1:
             raise OwnClaimError(
                 f"{named}: name one claim after a colon, and its family in the file, not by --of"

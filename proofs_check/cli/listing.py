@@ -36,13 +36,13 @@ def list_claims(arguments: argparse.Namespace) -> int:
     if id in ("proved", "refuted"):
         raise OwnClaimError(f"{id} is a verdict; write proofs-check run | grep {id}")
     if id:
-        entry = claim_file.named(arguments.source)[0] if file else claims.registry()[id]
+        entry = claim_file.claims_named(arguments.source)[0] if file else claims.registry()[id]
         if arguments.json:
             terminal.print_json(report.claim_record(entry))
         else:
             print(_description(entry, width()))
         return terminal.YES
-    known = list(claim_file.named(arguments.source) if file else claims.registry())
+    known = list(claim_file.claims_named(arguments.source) if file else claims.registry())
     if arguments.json:
         terminal.print_json({"claims": [report.claim_record(claim) for claim in known]})
     else:

@@ -261,7 +261,11 @@ def _own_claims(request: _Request) -> Iterator[Claim]:
         raise OwnClaimError("ids and files are both given; run the claims of files on their own")
     if samples is not None and samples < 0:
         raise OwnClaimError(f"--samples is {samples}; it must be at least 0")
-    listed = [request.own] if request.own else [c for name in names for c in claim_file.named(name)]
+    listed = (
+        [request.own]
+        if request.own
+        else [c for name in names for c in claim_file.claims_named(name)]
+    )
     files = {claim.file for claim in listed}
     several = Counter(Path(file).name for file in files)
     for claim in listed:

@@ -42,7 +42,7 @@ from equilibrium.certificate.checker import check
 from equilibrium.certificate.report import Report
 from equilibrium.model.grasp import Grasp
 from proofs_check.errors import OwnClaimError
-from proofs_check.own_claims.claim_file import defined, id_of, line_of
+from proofs_check.own_claims.claim_file import id_of, line_of, values_in_file
 
 from .lab_exercises import BUILT_IN, lab_judges, read_link
 
@@ -76,7 +76,7 @@ class Exercise(ReprMixin):
         try:
             given = FORMS[self.of][0](answer)
         except InputError as error:
-            return self._graded(0, str(error))
+            return self._grade(0, str(error))
         try:
             judgement = self.judge(given)
         except Exception as error:
@@ -85,13 +85,13 @@ class Exercise(ReprMixin):
             raise OwnClaimError(f"{self.id} raised {text} ({where})") from error
         match judgement:
             case Report():
-                return self._graded(0, judgement.problem)
+                return self._grade(0, judgement.problem)
             case bool():
-                return self._graded(0, "" if judgement else "wrong")
+                return self._grade(0, "" if judgement else "wrong")
             case (points, text) if self._is_part(points) and isinstance(text, str) and text:
-                return self._graded(Fraction(points), text)
+                return self._grade(Fraction(points), text)
             case str() if judgement:
-                return self._graded(0, judgement)
+                return self._grade(0, judgement)
         raise OwnClaimError(
             f"{self.id} returned {shown(judgement)}; return True, False, the report of "
             "`verify`, a text that describes the error, or a pair of points below "
@@ -101,7 +101,7 @@ class Exercise(ReprMixin):
     def _is_part(self, points: Any) -> bool:
         return type(points) in (int, Fraction) and 0 <= points < self.points
 
-    def _graded(self, points: Fraction | int, mistake: str) -> GradedAnswer:
+    def _grade(self, points: Fraction | int, mistake: str) -> GradedAnswer:
         return GradedAnswer(Fraction(points if mistake else self.points), self.points, mistake)
 
 
@@ -166,7 +166,7 @@ def load_exercises(path: str) -> dict[str, Exercise]:
             f"{path} ends in {ending}; exercises are a Python file, those of a lab a JSON file. "
             "Answers come behind it: grade FILE.py ANSWERS.json"
         )
-    exercises = defined(path, Exercise, "exercises; decorate a function with @exercise(...)")
+    exercises = values_in_file(path, Exercise, "exercises; decorate a function with @exercise(...)")
     named = {one.id: one for one in exercises}
     if len(named) < len(exercises):
         raise OwnClaimError(f"{path} has two exercises with one id")

@@ -46,7 +46,7 @@ from arrangement.library.files.json_files import read_text
 from arrangement.numbers.exact import integer, shown
 from proofs_check.instances.families import is_family, read_family
 from proofs_check.own_claims.language import read
-from proofs_check.own_claims.one_line import computed
+from proofs_check.own_claims.one_line import value_of
 from proofs_check.own_claims.quantities import QUANTITIES
 
 _COLUMNS = ("arrangement", "quantity", "printed")
@@ -161,7 +161,7 @@ def _compute(
     quantity: str, planes: Arrangement, parameters: Mapping[str, Any]
 ) -> tuple[Arrangement, Value]:
     integers = {name: value for name, value in parameters.items() if type(value) is int}
-    value = computed(read(quantity, integers), planes, integers)
+    value = value_of(read(quantity, integers), planes, integers)
     if isinstance(value, Mapping):
         return planes, {k: number for k, number in value.items() if number}
     return planes, tuple(value) if isinstance(value, (list, tuple)) else value

@@ -42,12 +42,12 @@ def load(path: str) -> Registry:
     Raises:
         OwnClaimError: the file cannot be read or run, has no claims, or two with one id.
     """
-    claims = defined(path, Claim, "claims; decorate a function with @claim(...)")
+    claims = values_in_file(path, Claim, "claims; decorate a function with @claim(...)")
     name = Path(path).name
     return Registry(replace(c, file=path, locator=c.locator or name) for c in claims)
 
 
-def named(name: str) -> tuple[Claim, ...]:
+def claims_named(name: str) -> tuple[Claim, ...]:
     """Return the claims that FILE.py means, all of the file, or FILE.py:ID, one of them.
 
     Raises:
@@ -72,7 +72,7 @@ def split(name: str) -> tuple[str | None, str]:
     return (f"{stem}.py", id) if colon else (None, name)
 
 
-def defined(path: str, kind: type[_Kind], what: str) -> tuple[_Kind, ...]:
+def values_in_file(path: str, kind: type[_Kind], what: str) -> tuple[_Kind, ...]:
     """Run a Python file and return the values of a kind that it has names for, in order.
 
     Args:

@@ -19,7 +19,7 @@ from proofs_check.instances.domains import domain
 from proofs_check.statements.statement import Case
 
 from .language import read, read_statement
-from .one_line import computed
+from .one_line import value_of
 from .user_claim import type_sources
 
 
@@ -63,7 +63,7 @@ def extremes(
     type_sources(chosen, low, high)  # refuses numbers that the census has not
 
     def includes(planes: Arrangement) -> bool:
-        holds = hypothesis is None or computed(hypothesis, planes, {})
+        holds = hypothesis is None or value_of(hypothesis, planes, {})
         return chosen.contains(planes) and bool(holds)
 
     def extreme(m: int) -> Extreme | None:
@@ -72,7 +72,7 @@ def extremes(
         for case in watched(source.cases(Random(0)), "classes"):
             if not includes(case.subject):
                 continue
-            value = computed(node, case.subject, {})
+            value = value_of(node, case.subject, {})
             if isinstance(value, bool) or not isinstance(value, (int, Fraction)):
                 raise OwnClaimError(
                     f"{text} is {shown(value)} for {case.label}, which is not a number; name a "

@@ -21,7 +21,7 @@ from proofs_check.statements.evidence import check
 from proofs_check.statements.statement import Claim
 
 from .language import read
-from .one_line import computed
+from .one_line import value_of
 
 #: The largest period that is tried, and the fewest values that a fit must meet without having used.
 MOST_PERIOD, LEAST_CHECKED = 6, 2
@@ -73,7 +73,7 @@ def values_of_text(text: str, of: str) -> FamilyValues:
     if family.variable is None:
         raise OwnClaimError(f"{family} {_ONE}")
     members = (case.subject for case in watched(family.cases(), "members", len(family)))
-    values = ((m.parameters, computed(node, m.planes, m.parameters)) for m in members)
+    values = ((m.parameters, value_of(node, m.planes, m.parameters)) for m in members)
     return _values(text, str(family), values)
 
 

@@ -110,7 +110,7 @@ def members(of: str) -> Family | None:
     return read_family(of) if is_family(of) and not is_domain(of) else None
 
 
-def computed(node: ast.expr, planes: Planes, parameters: Mapping[str, Any]) -> Any:
+def value_of(node: ast.expr, planes: Planes, parameters: Mapping[str, Any]) -> Any:
     """Return the value of a text on one arrangement.
 
     Raises:
@@ -315,7 +315,7 @@ def _formula(node: ast.expr) -> tuple[str, int]:
         ):
             return f"{_LETTERS[name]}_{{{_formula(index)[0]}}}", _WHOLE
         case ast.Call(func=ast.Name(id=name), args=given):
-            return _called(name, given), _IMPLIES if name == "implies" else _WHOLE
+            return _call(name, given), _IMPLIES if name == "implies" else _WHOLE
     raise LookupError(ast.unparse(node))
 
 
@@ -344,7 +344,7 @@ def _operation(node: ast.BinOp) -> tuple[str, int]:
     raise LookupError(ast.unparse(node))
 
 
-def _called(name: str, given: Sequence[ast.expr]) -> str:
+def _call(name: str, given: Sequence[ast.expr]) -> str:
     if name == "implies":
         return r" \Rightarrow ".join(_bound(part, _OR) for part in given)
     inside = [_formula(part)[0] for part in given]

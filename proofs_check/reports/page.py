@@ -16,7 +16,7 @@ from typing import Any, TypeAlias
 
 from arrangement.console.number_form import counted
 from arrangement.console.safe_text import safe_lines
-from arrangement.drawing.pages import BASE_STYLE, CARD_STYLE, Template, framed
+from arrangement.drawing.pages import BASE_STYLE, CARD_STYLE, Template, html_document
 from arrangement.drawing.scene import require_matplotlib
 from arrangement.drawing.views import Drawings
 from arrangement.errors import InputError, MissingExtraError, extra
@@ -84,7 +84,7 @@ def html_page(record: Record) -> str:
         raise LookupError(str(error)) from None
     title = record.get("title") or "Verdicts"
     return safe_lines(
-        framed(
+        html_document(
             title,
             body,
             [BASE_STYLE, CARD_STYLE, _STYLE],
@@ -105,7 +105,7 @@ def _body(record: Record) -> str:
         "value": value_text,
         "conclusion": conclusion,
     }
-    return rendered(
+    return render(
         (__package__, "report.html"),
         filters,
         record={"title": "", "about": "", "command": "", **record},
@@ -131,7 +131,7 @@ def _body(record: Record) -> str:
     )
 
 
-def rendered(template: Template, filters: Mapping[str, Callable[..., Any]], **values: Any) -> str:
+def render(template: Template, filters: Mapping[str, Callable[..., Any]], **values: Any) -> str:
     """Return the body of a page, from a template that escapes every text in it.
 
     Raises:
@@ -228,7 +228,7 @@ def available() -> bool:
 Drawn: TypeAlias = tuple[Drawings, Any, str, dict[str, Any], str]
 
 
-def drawn(result: Record) -> Iterator[Drawn]:
+def result_drawings(result: Record) -> Iterator[Drawn]:
     """Yield what the pictures of a result are: drawings, subject, view, its options, caption.
 
     Without views it is the counterexample: central planes with their dual; a grasp with its
@@ -259,7 +259,7 @@ def drawn(result: Record) -> Iterator[Drawn]:
 
 def pictures(result: Record) -> Iterator[tuple[str, str]]:
     """Yield the pictures of a result as SVG for a page, and their captions."""
-    for k, (drawings, subject, name, options, caption) in enumerate(drawn(result)):
+    for k, (drawings, subject, name, options, caption) in enumerate(result_drawings(result)):
         svg = drawings.svg(subject, name, **options)
         if svg is not None:
             yield svg_for_page(svg, f"{result['id']}-{k}"), caption

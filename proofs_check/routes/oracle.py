@@ -224,7 +224,7 @@ def resisted(question: Question, reading: Reading = MODEL) -> tuple[Interval, ..
         interval = None if rows is None else interval_of(rows, kept)
         if interval is not None:
             intervals.append(interval)
-    return united(intervals)
+    return union(intervals)
 
 
 def normal_forces(question: Question) -> tuple[tuple[Interval, ...], ...]:
@@ -245,7 +245,7 @@ def normal_forces(question: Question) -> tuple[tuple[Interval, ...], ...]:
             remaining = project([*known, named], rows, keep=3 + m)
             interval = None if remaining is None else interval_of(remaining, 3 + m)
             forces[i] += [] if interval is None else [interval]
-    return tuple(united(intervals) for intervals in forces)
+    return tuple(union(intervals) for intervals in forces)
 
 
 @dataclass(frozen=True)
@@ -340,7 +340,7 @@ def interval_of(rows: Sequence[Whole], j: int) -> Interval | None:
     return None if low is not None and high is not None and low > high else (low, high)
 
 
-def united(intervals: Iterable[Interval]) -> tuple[Interval, ...]:
+def union(intervals: Iterable[Interval]) -> tuple[Interval, ...]:
     """Return the union as disjoint intervals in increasing order."""
     united: list[Interval] = []
     for low, high in sorted(intervals, key=lambda i: (i[0] is not None, i[0] or 0)):

@@ -24,7 +24,7 @@ from arrangement.numbers.exact import shown
 from proofs_check.claims import registry
 from proofs_check.errors import DamagedStoreError, SweepError
 from proofs_check.instances.domains import count, size
-from proofs_check.own_claims.claim_file import file_digest, file_digests, named, split
+from proofs_check.own_claims.claim_file import claims_named, file_digest, file_digests, split
 from proofs_check.reports.report import claim_record, environment, plain
 from proofs_check.statements.evidence import OUTCOMES, check
 from proofs_check.statements.statement import Case, Claim, Domain
@@ -49,7 +49,7 @@ def target(name: str) -> Claim:
                 f"{id} speaks of {claim.over}, not of random instances; these can be swept: {known}"
             )
         return claim
-    claim, *others = named(name)
+    claim, *others = claims_named(name)
     if others:
         known = ", ".join(one.id for one in (claim, *others))
         raise SweepError(f"{file} has the claims {known}; name one as {file}:ID")

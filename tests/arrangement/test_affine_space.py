@@ -14,7 +14,7 @@ from arrangement.enumeration import affine_space
 from arrangement.enumeration.affine_space import PlaneTable, scaled_floats
 from arrangement.enumeration.choose import enumerate_faces
 from arrangement.enumeration.sequence import FaceSequence
-from arrangement.numbers.float_filter import EXACT, SMALLEST, UNIT, certain, error_bound, scaled
+from arrangement.numbers.float_filter import EXACT, SMALLEST, UNIT, certain, error_bound, scale_rows
 from tests.arrangement.strategies import arrangements
 from tests.arrangement.test_engines import same_faces
 
@@ -235,7 +235,7 @@ def test_a_certain_sign_is_the_true_sign(pairs):
 
 
 def test_rows_with_too_small_entries_are_named():
-    floats, usable = scaled([(2**201, 1), (2**200, 3), (2**900, 0), (0, 0)])
+    floats, usable = scale_rows([(2**201, 1), (2**200, 3), (2**900, 0), (0, 0)])
     assert usable.tolist() == [False, True, True, True]
     assert np.abs(floats).max() < 1
 

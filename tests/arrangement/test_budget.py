@@ -242,12 +242,12 @@ def test_list_refused_by_a_bound_where_counting_takes_long(tmp_path, capsys):
 
 
 def test_work_that_helps_to_decide_is_counted_with_the_rest():
-    with budget.metered(1000):
+    with budget.meter_steps(1000):
         with pytest.raises(budget.WorkOver), budget.at_most(100):
             budget.spend(101)
         with budget.at_most(100):
             budget.spend(99)
-        assert budget.spent() == 200
+        assert budget.steps_spent() == 200
     with pytest.raises(budget.WorkOver), budget.limit(0.1), budget.at_most(100):
         budget.spend(11)
 
@@ -352,7 +352,7 @@ def test_flats_of_a_high_rank_are_refused_before_any_is_made():
 
 def test_regions_of_many_lines_are_counted_where_their_faces_are():
     lines = Arrangement([[k % 97 + 1, k] for k in range(1, 2001)], [k * k for k in range(2000)])
-    with budget.metered():  # as a command
+    with budget.meter_steps():  # as a command
         assert counts.region_count(lines) == counts.f_vector(lines)[-1] > 1_900_000
 
 
@@ -360,7 +360,7 @@ def test_refusals_name_what_allows_it_in_python_and_in_commands():
     many = families.generic(40, 7)
     with pytest.raises(OutOfReachError, match=r"or with arrangement\.limit\(\d+\) allows it"):
         counts.intersection_lattice(many)
-    with budget.metered(), pytest.raises(OutOfReachError, match=r"or --limit \d+ allows it"):
+    with budget.meter_steps(), pytest.raises(OutOfReachError, match=r"or --limit \d+ allows it"):
         counts.intersection_lattice(many)
 
 

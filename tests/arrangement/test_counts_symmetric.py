@@ -264,7 +264,7 @@ def test_what_is_completed_is_an_automorphism(planes):
             path += zip(chosen, signs, strict=True)
             image = search._complete(path, search._key(path))
             if image is not None:
-                search.verified([image])
+                search.check_permutations([image])
                 found += 1
     assert found
 

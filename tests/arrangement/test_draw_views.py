@@ -19,8 +19,8 @@ from arrangement import Arrangement, InputError, read_arrangement
 from arrangement.console import progress
 from arrangement.counts import bounded_region_count, f_vector, whitney_numbers
 from arrangement.drawing.colours import PALETTE, DrawnRegion, colouring, plane_colour
-from arrangement.drawing.labels import HAIR, spread
-from arrangement.drawing.layout import laid_out
+from arrangement.drawing.labels import HAIR, spread_angles
+from arrangement.drawing.layout import lay_out
 from arrangement.drawing.output import own_settings, picture_bytes
 from arrangement.drawing.path_artist import figure
 from arrangement.drawing.scene import Label, Path as Drawn, Scene, area
@@ -38,7 +38,7 @@ from arrangement.pictures import (
     save_figure,
     write_drawing,
 )
-from arrangement.pictures.charts import compressed
+from arrangement.pictures.charts import compress
 from arrangement.pictures.coordinates import orbits
 from arrangement.pictures.dual import dual_solid
 from arrangement.pictures.globe import Globe, stereographic
@@ -198,11 +198,11 @@ def test_stereographic_arcs_are_arcs_of_the_true_circles(normal, other, angle):
 
 
 def test_evenness_is_measured_to_scale_inside_and_up_to_infinity():
-    near = compressed(np.array([[0.3, 0.4, 0.5]]), 2.0, 0.7)[0]
+    near = compress(np.array([[0.3, 0.4, 0.5]]), 2.0, 0.7)[0]
     assert np.allclose(near, np.array([0.6, 0.8]) * 0.7 / 2)
-    far = compressed(np.array([[0.6, 0.8, 0.0], [0.6, 0.8, 1e-9]]), 2.0)
+    far = compress(np.array([[0.6, 0.8, 0.0], [0.6, 0.8, 1e-9]]), 2.0)
     assert np.allclose(far, [[0.6, 0.8]] * 2)
-    seam = compressed(np.array([[2.0, 0.0, 1 + 1e-9], [2.0, 0.0, 1 - 1e-9]]), 2.0)
+    seam = compress(np.array([[2.0, 0.0, 1 + 1e-9], [2.0, 0.0, 1 - 1e-9]]), 2.0)
     assert np.allclose(seam, [[0.7, 0.0]] * 2)
 
 
@@ -255,7 +255,7 @@ def test_evening_out_makes_room_for_labels():
     )
     labels = [sum(isinstance(i, Label) for i in made.items) for made in (plain, even)]
     assert labels[1] > labels[0] + 5
-    assert offences(laid_out(even)) == []
+    assert offences(lay_out(even)) == []
 
 
 # The planar drawing.
@@ -291,12 +291,12 @@ def test_planar_drawing_has_convex_faces(name):
 @pytest.mark.parametrize("options", [{}, {"width": 88.0}, {"largest": 30}, {"largest": 4}])
 def test_labels_of_the_counts_do_not_collide(options):
     with own_settings():
-        assert offences(laid_out(draw_counts.scene(**options))) == []
+        assert offences(lay_out(draw_counts.scene(**options))) == []
 
 
 @given(st.lists(st.floats(0, 6.28), min_size=1, max_size=12))
 def test_spread_angles_keep_their_cyclic_order_and_distance(angles):
-    placed = spread(angles, 0.2)
+    placed = spread_angles(angles, 0.2)
     order = sorted(range(len(angles)), key=lambda k: angles[k])
     gaps = [placed[b] - placed[a] for a, b in pairwise(order)]
     assert all(gap > 0.19 for gap in gaps)
@@ -488,7 +488,7 @@ LINES = {
 
 
 def scene_of(planes: Arrangement, **options: Any) -> Scene:
-    found: Scene = laid_out(draw_lines.scene(planes, **options))
+    found: Scene = lay_out(draw_lines.scene(planes, **options))
     return found
 
 

@@ -21,7 +21,7 @@ from arrangement import (
 )
 from arrangement.cli import main
 from arrangement.library.census import identify
-from arrangement.library.files.table import FORMATS, Entries, converted, read_polygon
+from arrangement.library.files.table import FORMATS, Entries, read_polygon, text_in_format
 from arrangement.planes.equation_text import is_equation
 
 CENTRAL = Arrangement([[1, 0, 0], [0, 1, 0], [2, -3, 5], [-4, 6, -10], ["1/2", "1/3", -1]])
@@ -51,14 +51,14 @@ def one(name: str, text: str) -> Arrangement:
 )
 def test_what_is_written_is_read_back(planes, name, tmp_path):
     path = tmp_path / "planes"
-    path.write_text(converted(planes, FORMATS[name]), encoding="utf-8")
+    path.write_text(text_in_format(planes, FORMATS[name]), encoding="utf-8")
     assert read_arrangement(path) == planes
 
 
 @pytest.mark.parametrize("planes", [AFFINE, FIVE], ids=str)
 def test_offsets_refused_for_oscar(planes):
     with pytest.raises(InputError, match="no offsets"):
-        converted(planes, FORMATS["oscar"])
+        text_in_format(planes, FORMATS["oscar"])
 
 
 def opposite(text: str) -> str:
@@ -74,9 +74,9 @@ def test_a_chirotope_gets_coordinates_of_that_chirotope(rows, name):
     planes = Arrangement(rows)
     if planes.rank < 3:
         with pytest.raises(InputError, match="chirotopes of rank 3"):
-            converted(planes, FORMATS[name])
+            text_in_format(planes, FORMATS[name])
         return
-    found = one(name, converted(planes, FORMATS[name])).chirotope_string()
+    found = one(name, text_in_format(planes, FORMATS[name])).chirotope_string()
     assert planes.chirotope_string() in (found, opposite(found))
 
 
@@ -359,19 +359,19 @@ def test_points_of_christ_are_normals():
 
 def test_graphs_have_the_numbers_of_the_arrangement():
     planes = read_arrangement("braid-a3")
-    graph = nx.parse_graphml(converted(planes, FORMATS["graphml"]))
+    graph = nx.parse_graphml(text_in_format(planes, FORMATS["graphml"]))
     assert (len(graph), graph.number_of_edges()) == (24, 36)
-    lattice = nx.parse_graphml(converted(planes, FORMATS["lattice-graphml"]))
+    lattice = nx.parse_graphml(text_in_format(planes, FORMATS["lattice-graphml"]))
     assert sorted(rank for _, rank in lattice.nodes(data="rank")).count(2) == 7
-    off = converted(planes, FORMATS["off"]).splitlines()
+    off = text_in_format(planes, FORMATS["off"]).splitlines()
     assert off[:2] == ["OFF", "24 14 36"]
     assert len({*off[2:26]}) == 24
     assert sum(int(row.split()[0]) for row in off[26:]) == 2 * 36
-    dot = converted(AFFINE, FORMATS["dot"])
+    dot = text_in_format(AFFINE, FORMATS["dot"])
     assert dot.startswith("graph {")
     assert dot.count(" -- ") == AFFINE.f_vector[-2]
     assert len(re.findall(r"^  [0-9]+ \[", dot, re.M)) == AFFINE.f_vector[-1]
-    flats = converted(AFFINE, FORMATS["lattice-dot"])
+    flats = text_in_format(AFFINE, FORMATS["lattice-dot"])
     assert flats.count("->") == 4 + 2 * 6
 
 

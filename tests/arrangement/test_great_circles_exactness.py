@@ -224,7 +224,7 @@ def test_minors_of_1_beyond_int64_are_seen():
 
 def test_the_error_of_a_determinant_counts_all_six_products(monkeypatch):
     sizes = []
-    monkeypatch.setattr(predicates, "decided", lambda _, size, *others: sizes.append(size))
+    monkeypatch.setattr(predicates, "certified_signs", lambda _, size, *others: sizes.append(size))
     signs = FilteredSigns(np.array([(1, 1, 1), (1, 2, 3), (3, 1, 2)], object))
     signs.determinants(*np.array([[0], [1], [2]]))
     assert sizes == [25 / (2 * 4 * 4)]

@@ -550,5 +550,5 @@ def test_polyhedral_graphs_are_planar_and_3_connected(vertices, share, seed):
 def test_search_counts_its_steps():
     graph = PolyhedralGraph.of(12, nx.icosahedral_graph().edges)
     decide.cache_clear()
-    with budget.metered(1000), pytest.raises(budget.WorkOver, match="without an answer"):
+    with budget.meter_steps(1000), pytest.raises(budget.WorkOver, match="without an answer"):
         decide(graph)

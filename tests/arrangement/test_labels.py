@@ -10,7 +10,7 @@ from arrangement.drawing.labels import (
     around,
     beside,
     covering,
-    fixed,
+    fixed_places,
     inside,
     keep_off,
     near,
@@ -32,7 +32,7 @@ def written(scene):
 
 
 def test_label_stands_at_first_free_place(scene):
-    places = fixed(np.array([[-5.0, 70.0], [50.0, 70.0], [120.0, 70.0]]))
+    places = fixed_places(np.array([[-5.0, 70.0], [50.0, 70.0], [120.0, 70.0]]))
     off = keep_off([np.array([[50.0, 0.0], [50.0, 170.0]])])
     assert write_if_free(scene, ["a"], (7.0,), places, off=off)
     (box,) = scene.boxes
@@ -40,8 +40,8 @@ def test_label_stands_at_first_free_place(scene):
 
 
 def test_label_is_left_out_where_nothing_is_free(scene):
-    assert write_if_free(scene, ["a"], (7.0,), fixed(MIDDLE[None]))
-    assert not write_if_free(scene, ["b"], (7.0, 5.0), fixed(MIDDLE[None]))
+    assert write_if_free(scene, ["a"], (7.0,), fixed_places(MIDDLE[None]))
+    assert not write_if_free(scene, ["b"], (7.0, 5.0), fixed_places(MIDDLE[None]))
     assert written(scene) == [("a", 7.0)]
 
 
@@ -55,9 +55,9 @@ def test_label_that_must_be_written_covers_least(scene):
     labels = Labels(scene)
     labels.avoid([[0.0, 70.0], [170.0, 70.0]], [[0.0, 71.0], [170.0, 71.0]])
     labels.avoid([[0.0, 100.0], [170.0, 100.0]])
-    labels.write("1", fixed(np.array([[70.0, 70.0], [70.0, 100.0]])))
+    labels.write("1", fixed_places(np.array([[70.0, 70.0], [70.0, 100.0]])))
     assert scene.items[-1].place == (70.0, 100.0)
-    labels.write("2", fixed(np.array([[70.0, 100.0], [70.0, 70.0]])))
+    labels.write("2", fixed_places(np.array([[70.0, 100.0], [70.0, 70.0]])))
     assert scene.items[-1].place == (70.0, 70.0), "lines before labels"
 
 

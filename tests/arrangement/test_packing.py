@@ -53,7 +53,7 @@ def test_equal_rows_are_neighbours_whatever_the_keys(columns, keys, monkeypatch)
         pytest.skip("one word is its own key")
     for seed in range(5):
         words = packing.pack(rows_of_bits(seed, columns))
-        order, new = packing.grouped(words)
+        order, new = packing.group_rows(words)
         assert sorted(order) == list(range(len(words)))
         listed = [tuple(row) for row in words[order].tolist()]
         groups = np.cumsum(new)
@@ -64,7 +64,7 @@ def test_equal_rows_are_neighbours_whatever_the_keys(columns, keys, monkeypatch)
 
 
 def test_nothing_has_no_groups():
-    order, new = packing.grouped(np.zeros((0, 2), np.uint64))
+    order, new = packing.group_rows(np.zeros((0, 2), np.uint64))
     assert order.shape == new.shape == (0,)
 
 

@@ -193,9 +193,9 @@ def test_regions_inside_are_found_where_all_would_be_too_many():
 def test_too_many_regions_inside_are_refused_on_the_way(monkeypatch):
     planes, octant = _random(2, 4, 12, 9), families.coordinate(4)
     assert len(planes.regions(inside=octant)) > 25
-    with budget.metered():
+    with budget.meter_steps():
         planes.regions(inside=octant)
-        assert budget.spent() > deletion_restriction.PROGRAM_STEPS * len(planes)
+        assert budget.steps_spent() > deletion_restriction.PROGRAM_STEPS * len(planes)
     monkeypatch.setattr(deletion_restriction, "_MANY", 25)
     monkeypatch.setattr(budget, "FACES", 20)
     with pytest.raises(OutOfReachError, match=r"a list of more than \d+ regions"):

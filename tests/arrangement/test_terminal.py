@@ -475,7 +475,7 @@ def test_loop_over_budget_refused_early(nested, capsys):
 
 
 def test_a_loop_that_is_done_is_not_refused():
-    with progress.shown(), budget.metered(math.inf), budget.limit(1e-3):
+    with progress.shown(), budget.meter_steps(math.inf), budget.limit(1e-3):
         letters = [letter for letter in watched("ab", "letters") if not budget.spend(10**12)]
     assert letters == ["a", "b"]
 

@@ -21,7 +21,7 @@ from proofs_check.routes.oracle import (
     all_states,
     dot,
     project,
-    united,
+    union,
     violations,
 )
 
@@ -121,7 +121,7 @@ def intervals(
             rows = project(equal, least, keep=systems.size)
         if rows is not None:
             found += _interval(rows)
-    return united(found)
+    return union(found)
 
 
 def _interval(rows: Iterable[Sequence[int]]) -> list[Interval]:

@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 
 from arrangement import limit
-from arrangement.numbers.budget import metered
+from arrangement.numbers.budget import meter_steps
 from equilibrium import (
     Assembly,
     BodyContact,
@@ -218,7 +218,7 @@ class TestLimits:
             ask(*TEXTBOOK["arch"](voussoirs=4))
 
     def test_steps_of_a_command_leave_it_undecided(self):
-        with metered(1000), pytest.raises(UndecidedError, match="limit of 1,000 steps"):
+        with meter_steps(1000), pytest.raises(UndecidedError, match="limit of 1,000 steps"):
             ResistedSet(wedge()[0]).along({"wedge": [1, 0, 0]}, wedge()[1])
 
     @pytest.mark.parametrize(

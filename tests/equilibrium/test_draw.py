@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from hypothesis import example, given
 
-from arrangement.drawing.layout import laid_out
-from arrangement.drawing.scene import Label, Scene, flattened, measure
+from arrangement.drawing.layout import lay_out
+from arrangement.drawing.scene import Label, Scene, curve_points, measure
 from equilibrium import Circle, Contact, Grasp, Polygon, read_grasp, solve
 from equilibrium.grasps.inputs import random_grasp, star_outline
 from equilibrium.methods import METHODS, resistance_figure
@@ -70,7 +70,7 @@ def count(scene: Scene, kind: str) -> int:
 
 
 def texts(scene: Scene) -> list[str]:
-    return [item.text for item in laid_out(scene).items if isinstance(item, Label)]
+    return [item.text for item in lay_out(scene).items if isinstance(item, Label)]
 
 
 @pytest.mark.parametrize(("grasp", "wrench"), QUESTIONS)
@@ -153,10 +153,10 @@ def test_cones_stay_inside_the_outline(seed):
     grasp = random_grasp(5, seed)
     grasp = grasp.with_friction(2).with_outline(star_outline(grasp))
     items = named(draw_grasp.scene(grasp))
-    inside = matplotlib.path.Path(flattened(items["outline"].points))
+    inside = matplotlib.path.Path(curve_points(items["outline"].points))
     for i in range(len(grasp)):
         cone = items[f"cone-{i + 1}"]
-        points = cone.points if cone.kind == "polygon" else flattened(cone.points)
+        points = cone.points if cone.kind == "polygon" else curve_points(cone.points)
         # A point of the edge itself may be rounded to the other side.
         points = 0.99 * points[1:] + 0.01 * points.mean(axis=0)
         assert inside.contains_points(points).all()
@@ -173,7 +173,7 @@ def test_cones_stay_inside_the_outline(seed):
 )
 def test_wrench_label_outside_the_torque_arc(grasp, wrench):
     scene = draw_grasp.scene(grasp, wrench=wrench)
-    ends = flattened(named(scene)["wrench-torque"].points)
+    ends = curve_points(named(scene)["wrench-torque"].points)
     middle = (ends.min(axis=0) + ends.max(axis=0)) / 2
     name = next(item for item in scene.items if getattr(item, "text", "") == "w")
     assert np.linalg.norm(name.place - middle) > 0.95 * np.ptp(ends[:, 1]) / 2
@@ -184,11 +184,11 @@ def test_units_stand_with_the_wrench_and_legends_are_short():
     assert "w = (0, 1/2) N, 0 N cm" in texts(draw_grasp.scene(grasp, wrench=(0, "1/2", 0)))
     for grasp in (THREE, FOUR):
         for loaded in (grasp, grasp.with_preload(1)):
-            scene = laid_out(draw_grasp.scene(loaded, wrench=(0, 0, "1/2")))
+            scene = lay_out(draw_grasp.scene(loaded, wrench=(0, 0, "1/2")))
             keys = [item.place[1] for item in scene.items if hasattr(item, "text")]
             lowest = [y for y in keys if y < scene.height / 6]
             assert lowest
-            assert flattened(named(scene)["body"].points)[:, 1].min() > max(lowest)
+            assert curve_points(named(scene)["body"].points)[:, 1].min() > max(lowest)
 
 
 def test_a_slice_keeps_the_preloads_of_the_grasp():
@@ -221,7 +221,7 @@ def test_indicative_outlines_touch_every_contact(grasp):
     frame = frame_of(grasp)
     curve = body(grasp, frame)
     assert curve is not None
-    fine = flattened(curve, 400)
+    fine = curve_points(curve, 400)
     for contact in grasp:
         place = frame.paper(contact.point)
         normal = np.array([float(x) for x in contact.normal])
@@ -237,7 +237,7 @@ def test_indicative_outlines_have_the_object_on_the_inner_side(seed):
     grasp = random_grasp(6, seed)
     curve = body(grasp, frame_of(grasp))
     assert curve is not None
-    fine = flattened(curve)
+    fine = curve_points(curve)
     after = np.roll(fine, -1, axis=0)
     assert np.sum(fine[:, 0] * after[:, 1] - fine[:, 1] * after[:, 0]) > 0
 
@@ -267,7 +267,7 @@ LABELLED: list[tuple[Any, Grasp, dict[str, Any]]] = [
 
 @pytest.mark.parametrize(("view", "grasp", "options"), LABELLED)
 def test_labels_keep_apart_on_the_sheet_and_off_lines(view, grasp, options):
-    found = offences(laid_out(view.scene(grasp, **options)))
+    found = offences(lay_out(view.scene(grasp, **options)))
     assert [text for text in found if not text.endswith(" on axis")] == []
 
 
@@ -392,5 +392,5 @@ EXTREME = Grasp(
     ],
 )
 def test_forces_and_places_of_any_size_can_be_drawn(view, options):
-    sheet = laid_out(view.scene(EXTREME, **options))
+    sheet = lay_out(view.scene(EXTREME, **options))
     assert all(measure(x.text, x.size)[0] < 2000 for x in sheet.items if isinstance(x, Label))

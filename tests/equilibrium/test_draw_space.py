@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from arrangement.drawing.layout import laid_out
+from arrangement.drawing.layout import lay_out
 from arrangement.drawing.scene import Label, Path as Line, Scene
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, Mesh, ResistedSet, read_grasp
@@ -269,7 +269,7 @@ def test_resistance_ends_at_every_face(name):
 
 
 def sheet_of(grasp: Grasp, **options: object) -> Scene:
-    scene: Scene = laid_out(draw_wrench_set.scene(grasp, **options))
+    scene: Scene = lay_out(draw_wrench_set.scene(grasp, **options))
     return scene
 
 
@@ -340,7 +340,7 @@ def test_a_full_box_says_that_every_wrench_in_it_is_resisted():
     ring = [(1, 0), (x, y), (-u, v), (-u, -v), (x, -y)]
     whole = Grasp([Contact((p * Fraction(3, 2), q), (-p, -q), "1/2", 1) for p, q in ring])
     for grasp, full in ((whole, True), (read_grasp("ladder"), False)):
-        scene = laid_out(draw_wrench_set.scene(grasp))
+        scene = lay_out(draw_wrench_set.scene(grasp))
         texts = [item.text for item in scene.items if isinstance(item, Label)]
         assert any("every wrench in the box" in text for text in texts) == full
         assert ("resisted wrenches" in texts) != full

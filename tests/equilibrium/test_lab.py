@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from arrangement import InputError
-from arrangement.drawing.scene import flattened
+from arrangement.drawing.scene import curve_points
 from equilibrium import Contact, Grasp, ResistedSet, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import law_problem, law_rows
@@ -302,7 +302,7 @@ def test_indicative_outline_is_that_of_still_pictures(opened):
             continue
         curves += 1
         middle, half = np.array(frame.centre, dtype=float), float(frame.half)
-        places = middle + half * flattened(drawn, 16)
+        places = middle + half * curve_points(drawn, 16)
         assert np.array(shown) == pytest.approx(places, abs=1e-6), grasp
     assert curves > 30
 

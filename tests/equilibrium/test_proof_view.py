@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, reject, strategies as st
 
-from arrangement.drawing.layout import laid_out
+from arrangement.drawing.layout import lay_out
 from arrangement.drawing.scene import Label, Path, area
 from arrangement.numbers.exact import dot
 from equilibrium import Grasp, GraspError, Verdict, read_grasp, solve
@@ -174,7 +174,7 @@ def test_no_label_covers_an_arrow(name, wrench):
 
 def test_beyond_eight_contacts_the_page_is_named_for_the_numbers():
     grasp = Grasp([c for c in random_grasp(60, 7) if c.normal[1] > 0][:9])
-    scene = laid_out(draw_proof.scene(grasp, wrench=(0, 50, 0)))
+    scene = lay_out(draw_proof.scene(grasp, wrench=(0, 50, 0)))
     texts = [item for item in scene.items if isinstance(item, Label)]
     assert not any("work-" in item.name or "number-" in item.name for item in texts)
     assert any("a page (.html) has them" in item.text for item in texts)

@@ -30,7 +30,7 @@ COMMON = (
 SHARED: list[tuple[str, str, str]] = [
     (
         "single-solution vertical-limit-every-friction",
-        "proofs_check/routes/oracle.py: united",
+        "proofs_check/routes/oracle.py: union",
         "Joins closed intervals; each implementation finds its own.",
     ),
     (
@@ -169,7 +169,7 @@ RUNS = {
     "solvers": ["equilibrium/decide/"],
     "states": ["proofs_check/routes/oracle.py: stable"],
     "steps": ["arrangement/enumeration/paper_steps.py", "proofs_check/instances/grasps.py"],
-    "substitution": ["proofs_check/claims/tables.py: _substituted"],
+    "substitution": ["proofs_check/claims/tables.py: _by_substitution"],
     "theorem": ["arrangement/counts/"],
     "writing": ["proofs_check/routes/oracle.py: Systems.rows"],
 }

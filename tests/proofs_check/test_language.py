@@ -5,7 +5,7 @@ import pytest
 from arrangement.library.families import generic, near_pencil
 from proofs_check.errors import OwnClaimError
 from proofs_check.own_claims.language import read, read_statement
-from proofs_check.own_claims.one_line import computed
+from proofs_check.own_claims.one_line import value_of
 
 SIX = near_pencil(6)  # f = (1, 12, 30, 20), t = {2: 5, 5: 1}
 LINES = generic(4, 2, affine=True)
@@ -106,20 +106,20 @@ def test_what_has_no_one_meaning_is_refused(text, message):
     ],
 )
 def test_values(text, value):
-    assert computed(read(text), SIX, {}) == value
+    assert value_of(read(text), SIX, {}) == value
 
 
 def test_letters_count_what_divides_the_sphere_or_the_plane():
-    assert computed(read("(V, E, F)"), LINES, {}) == (6, 16, 11)
+    assert value_of(read("(V, E, F)"), LINES, {}) == (6, 16, 11)
     with pytest.raises(OwnClaimError, match="V, E and F are of lines in the plane"):
-        computed(read("V"), generic(4, 3, affine=True), {})
+        value_of(read("V"), generic(4, 3, affine=True), {})
 
 
 def test_order_of_vectors_of_different_lengths_is_refused():
     with pytest.raises(OwnClaimError, match=r"with 4 and 2 entries; expected equal numbers"):
-        computed(read("f_vector >= (1, 2)"), SIX, {})
+        value_of(read("f_vector >= (1, 2)"), SIX, {})
 
 
 def test_deepest_texts_are_computed():
-    assert computed(read("-" * 240 + "m"), SIX, {}) == 6
-    assert computed(read("+".join(["m"] * 240)), SIX, {}) == 1440
+    assert value_of(read("-" * 240 + "m"), SIX, {}) == 6
+    assert value_of(read("+".join(["m"] * 240)), SIX, {}) == 1440

@@ -107,13 +107,13 @@ def test_a_substitution_that_ignores_the_cone_is_not_enough(monkeypatch):
 def test_a_changed_printed_number_is_caught():
     cases = registry()["table-three-contacts"].cases(Random(0))
     row = next(case.subject for case in cases if case.label.startswith("w=(0,1,0) P=1"))
-    assert tables._substituted(row) == tables._solved(row) == "Yes, numbers fit"
+    assert tables._by_substitution(row) == tables._solved(row) == "Yes, numbers fit"
     for i in range(3):
         for j in range(2):
             forces = [list(force) for force in row.forces]
             forces[i][j] += Fraction(1, 10**30)
             wrong = replace(row, forces=tuple(map(tuple, forces)))
-            assert tables._substituted(wrong) == "Yes, numbers do not fit"
+            assert tables._by_substitution(wrong) == "Yes, numbers do not fit"
             assert tables._solved(wrong) == "Yes, numbers do not fit"
 
 

@@ -93,11 +93,11 @@ def test_times_are_measured_when_asked(monkeypatch):
 
 @pytest.mark.parametrize("figure", FIGURES, ids=lambda figure: figure.name)
 def test_no_label_of_a_figure_covers_another(figure):
-    from arrangement.drawing.layout import laid_out
+    from arrangement.drawing.layout import lay_out
     from arrangement.drawing.output import own_settings
 
     with own_settings():
-        assert not offences(laid_out(figure.scene()))
+        assert not offences(lay_out(figure.scene()))
 
 
 @pytest.mark.slow

@@ -222,7 +222,7 @@ def test_every_quantity_is_the_same_in_python_claims_and_tables(name, tmp_path):
     planes = read_arrangement(name)
     for quantity, compute in QUANTITIES.items():
         value = compute(planes)
-        assert one_line.computed(read(quantity), planes, {}) == value
+        assert one_line.value_of(read(quantity), planes, {}) == value
         printed = (
             " ".join(f"{k}={v}" for k, v in value.items())
             if isinstance(value, dict)

@@ -94,7 +94,7 @@ class Automorphisms:
             count += 1
         return count
 
-    def verified(self, permutations: Sequence[Sequence[int]]) -> Permutations:
+    def check_permutations(self, permutations: Sequence[Sequence[int]]) -> Permutations:
         """Return given permutations of the vectors, or refuse one that is not an automorphism."""
         checked = []
         for number, given in enumerate(permutations):

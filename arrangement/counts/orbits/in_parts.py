@@ -179,7 +179,7 @@ def _prepare(root: Path, config: Configuration, parts: int) -> None:
     if not isinstance(document, dict) or any(document.get(key) != record[key] for key in record):
         raise InputError(f"{root} has parts of other planes; name another folder")
     try:  # a file may come from anywhere
-        search.verified(document["generators"])
+        search.check_permutations(document["generators"])
         if type(document["parts"]) is not int or not 1 <= document["parts"] <= _MAX_PARTS:
             raise ValueError(document["parts"])
     except (KeyError, TypeError, ValueError, IndexError):
@@ -273,9 +273,9 @@ def _below(root: str, rank: int, part: int) -> Flats:
             gathered = [*gathered, flats] if len(gathered[0]) else [flats]
             waiting += len(flats)
             if waiting > MANY:
-                gathered, waiting = [made.classes.merged(Flats.joined(gathered))], 0
-    together = Flats.joined(gathered)
-    return made.classes.merged(together) if len(together) else together
+                gathered, waiting = [made.classes.merge(Flats.concatenate(gathered))], 0
+    together = Flats.concatenate(gathered)
+    return made.classes.merge(together) if len(together) else together
 
 
 def _place(root: str, rank: int, part: int) -> Path:

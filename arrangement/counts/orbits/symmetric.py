@@ -33,7 +33,7 @@ from arrangement.errors import InputError, OutOfTimeError
 from arrangement.numbers import budget
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import shown
-from arrangement.numbers.packing import Bits, Words, grouped, pack, unpack
+from arrangement.numbers.packing import Bits, Words, group_rows, pack, unpack
 from arrangement.planes.planes import Planes
 
 #: Sets that go down together.
@@ -164,7 +164,7 @@ class Flats:
         return len(self.bases)
 
     @classmethod
-    def joined(cls, parts: Sequence[Flats]) -> Flats:
+    def concatenate(cls, parts: Sequence[Flats]) -> Flats:
         """Return the flats of all parts."""
         return cls(
             np.concatenate([part.bases for part in parts]),
@@ -188,7 +188,7 @@ def first_numbers(
     if symmetry is None:
         generators = automorphisms.generators()
     else:
-        generators = automorphisms.verified(_of_classes(arrangement, symmetry))
+        generators = automorphisms.check_permutations(_of_classes(arrangement, symmetry))
     numbers: list[int] = []
     try:
         with budget.limit(budget.times() if deadline.seconds is None else math.inf):
@@ -332,9 +332,9 @@ class Classes:
                 bases = np.column_stack([piece.bases[covers.below], covers.plane])
                 self._count(len(above) * _COVER + self._images.steps(above))
                 images = self._images.low(above)
-                parts.append(self.merged(Flats(bases, pack(above), images, values)))
+                parts.append(self.merge(Flats(bases, pack(above), images, values)))
                 if done == min(2, len(pieces) - 1):
-                    higher, share = Flats.joined(parts), (done + 1) / len(pieces)
+                    higher, share = Flats.concatenate(parts), (done + 1) / len(pieces)
                     numbers = (higher.bases, higher.members, higher.images, higher.values)
                     budget.check_cost(
                         f"{budget.about(len(higher) / share)} orbits of flats of rank {rank}",
@@ -343,16 +343,16 @@ class Classes:
                     )
                 waiting += len(parts[-1])
                 if waiting > MANY:
-                    parts, waiting = [self.merged(Flats.joined(parts))], 0
-        return (self.merged(Flats.joined(parts)) if parts else flats[:0]), residues
+                    parts, waiting = [self.merge(Flats.concatenate(parts))], 0
+        return (self.merge(Flats.concatenate(parts)) if parts else flats[:0]), residues
 
     def _count(self, steps: float) -> None:
         self.steps += steps
         budget.spend(steps)
 
-    def merged(self, flats: Flats) -> Flats:
+    def merge(self, flats: Flats) -> Flats:
         """Return one flat of each class, with the sum of the values of all."""
-        order, start = grouped(flats.images)
+        order, start = group_rows(flats.images)
         first = np.flatnonzero(start)
         values = np.add.reduceat(flats.values[:, order], first, axis=1) % self._modulus
         one = order[first]
@@ -485,7 +485,7 @@ def forecast(arrangement: Planes, sample: int = SAMPLE) -> Iterator[RankForecast
         )
         if rank == made.rank - 1:
             return
-        flats = made.merged(Flats.joined([half for half in halves if len(half)]))
+        flats = made.merge(Flats.concatenate([half for half in halves if len(half)]))
         exact = exact and len(chosen) == number
         both = sum(map(len, halves)) - len(flats)
         number = len(flats) if exact else math.prod(map(len, halves)) / max(1, both)

@@ -16,12 +16,12 @@ from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 
-from arrangement.drawing.scene import Floats, Margins, fitted
+from arrangement.drawing.scene import Floats, Margins, fit_sheet
 from arrangement.numbers.exact import IntegerVector, dot
 
-from .flat_polygons import Segment, between, clipped
+from .flat_polygons import Segment, between, clip_polygon
 from .sight import picture_axes
-from .surface import Patch, rounded
+from .surface import Patch, float_points
 
 #: This many planes are tried for a split, and one patch cut counts as this many out of balance.
 _TRIED, _CUT = 12, 8
@@ -114,7 +114,7 @@ def _tree(
     return nodes
 
 
-def joined(
+def join_trees(
     row: IntegerVector, front: Sequence[Node[_Drawn]], back: Sequence[Node[_Drawn]]
 ) -> list[Node[_Drawn]]:
     """Return the tree of a plane, with trees of what is before it and behind it."""
@@ -172,7 +172,7 @@ def halves(patches: Iterable[Patch], row: IntegerVector, side: int) -> list[Patc
             parts.append(patch)
         elif max(values) > 0:
             edges = tuple(part for edge in patch.edges for part in _part(edge, row, side))
-            corners = tuple(clipped(patch.corners, values))
+            corners = tuple(clip_polygon(patch.corners, values))
             parts.append(replace(patch, corners=corners, edges=edges))
     return parts
 
@@ -192,7 +192,7 @@ class SolidSheet:
 
     Args:
         towards: the viewer.
-        width, parts, tallest: as for `fitted`; points in the axes of the picture.
+        width, parts, tallest: as for `fit_sheet`; points in the axes of the picture.
     """
 
     def __init__(
@@ -203,7 +203,7 @@ class SolidSheet:
         tallest: float | None = math.inf,
     ) -> None:
         self.towards, self.axes = towards, picture_axes(towards)
-        self.scene, self.scale, self.shift = fitted(width, *parts, tallest=tallest)
+        self.scene, self.scale, self.shift = fit_sheet(width, *parts, tallest=tallest)
 
     def place(self, points: Any) -> Floats:
         """Return points in the axes of the picture (.., 2 or 3) on the scene."""
@@ -215,7 +215,7 @@ class SolidSheet:
 
     def at_exact(self, points: Iterable[IntegerVector]) -> Floats:
         """Return homogeneous points of space on the scene."""
-        return self.at(rounded(points))
+        return self.at(float_points(points))
 
     def faces(self, patch: Patch) -> bool:
         """Return whether the outer side of a piece is seen."""

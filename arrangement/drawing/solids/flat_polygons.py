@@ -25,7 +25,7 @@ def between(p: IntegerVector, q: IntegerVector, at_p: int, at_q: int) -> Integer
     return reduced([s * x + t * y for x, y in zip(p, q, strict=True)])
 
 
-def clipped(loop: Sequence[IntegerVector], values: Sequence[int]) -> Loop:
+def clip_polygon(loop: Sequence[IntegerVector], values: Sequence[int]) -> Loop:
     """Return the part of a convex polygon where a linear form, known at its corners, is not < 0."""
     kept: Loop = []
     for k, (p, at) in enumerate(zip(loop, values, strict=True)):
@@ -38,26 +38,26 @@ def clipped(loop: Sequence[IntegerVector], values: Sequence[int]) -> Loop:
     return kept
 
 
-def _dropped(row: IntegerVector) -> int:
+def _largest_axis(row: IntegerVector) -> int:
     """Return the coordinate that is left out of points in a plane."""
     return max(range(3), key=lambda k: abs(row[k]))
 
 
-def flattened(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
+def drop_coordinate(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
     """Return points of a plane with one coordinate left out."""
-    gone = _dropped(row)
+    gone = _largest_axis(row)
     return [reduced([x for k, x in enumerate(p) if k != gone]) for p in points]
 
 
 def facing(row: IntegerVector, loop: Loop) -> Loop:
     """Return a loop, counter-clockwise seen from where a row is > 0, so that it is so flattened."""
-    gone = _dropped(row)
+    gone = _largest_axis(row)
     return loop if row[gone] * (-1) ** gone > 0 else loop[::-1]
 
 
-def ordered(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
+def hull_corners(row: IntegerVector, points: Iterable[IntegerVector]) -> Loop:
     """Return the corners of the hull of points in a plane, in cyclic order (A. Andrew, 1979)."""
-    gone = _dropped(row)
+    gone = _largest_axis(row)
     flat = {tuple([x for k, x in enumerate(p) if k != gone]): p for p in points}
     listed = sorted(flat, key=cmp_to_key(_before))
     if len(listed) < 3:
@@ -79,9 +79,9 @@ def _before(p: IntegerVector, q: IntegerVector) -> int:
     return p[0] * q[2] - q[0] * p[2] or p[1] * q[2] - q[1] * p[2]
 
 
-def lifted(row: IntegerVector, point: IntegerVector) -> IntegerVector:
+def restore_coordinate(row: IntegerVector, point: IntegerVector) -> IntegerVector:
     """Return the point of a plane with one coordinate left out."""
-    gone = _dropped(row)
+    gone = _largest_axis(row)
     rest = [x for k, x in enumerate(row) if k != gone]
     scale = abs(row[gone])
     entries = [scale * x for x in point]
@@ -96,7 +96,7 @@ def _split(loop: Loop, line: IntegerVector) -> tuple[Loop, Loop]:
         return [], loop
     if min(values) >= 0:
         return loop, []
-    return clipped(loop, values), clipped(loop, [-at for at in values])
+    return clip_polygon(loop, values), clip_polygon(loop, [-at for at in values])
 
 
 def minus(loop: Loop, cover: Loop) -> list[Loop]:
@@ -122,7 +122,7 @@ class Boxed(NamedTuple):
     high: tuple[float, float]
 
 
-def boxed(loop: Loop) -> Boxed:
+def with_box(loop: Loop) -> Boxed:
     """Return a polygon with its box."""
     first, second = [p[0] / p[2] for p in loop], [p[1] / p[2] for p in loop]
     return Boxed(loop, (min(first), min(second)), (max(first), max(second)))
@@ -137,7 +137,7 @@ def without(parts: Iterable[Boxed], cover: Boxed) -> list[Boxed]:
         if x > right or x_end < left or y > highest or y_end < lowest:
             rest.append(part)
         else:
-            rest += map(boxed, minus(part.loop, cover.loop))
+            rest += map(with_box, minus(part.loop, cover.loop))
     return rest
 
 

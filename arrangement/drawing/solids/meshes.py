@@ -78,7 +78,7 @@ def model_bytes(parts: Sequence[ClosedSurface], kind: str, title: str) -> bytes:
     extent = max(float(np.abs(part.points + part.shift).max()) for part in parts)
     writer = _WRITERS[kind]
     step = 2.0 ** math.ceil(math.log2(extent / _STEPS))
-    return writer([_rounded(part, step) for part in parts], title)
+    return writer([_weld_points(part, step) for part in parts], title)
 
 
 def triangles(faces: Sequence[tuple[int, ...]]) -> Triangles:
@@ -87,7 +87,7 @@ def triangles(faces: Sequence[tuple[int, ...]]) -> Triangles:
     return np.array(rows, dtype=np.int64).reshape(-1, 3)
 
 
-def _rounded(part: ClosedSurface, step: float) -> ClosedSurface:
+def _weld_points(part: ClosedSurface, step: float) -> ClosedSurface:
     """Round coordinates to multiples of `step`, and join the points that this makes equal."""
     grid = np.round(part.points / step).astype(np.int64)
     first: dict[tuple[int, ...], int] = {}

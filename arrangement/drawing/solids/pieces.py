@@ -152,10 +152,10 @@ def convex_hull(points: Floats) -> tuple[Floats, list[Cycle]]:
     for row in hull.simplices.tolist():
         outward = float(face_normal(points[row]) @ (points[row].mean(axis=0) - middle)) > 0
         faces.append(tuple(row if outward else row[::-1]))
-    return points, merged(points, faces)
+    return points, merge_faces(points, faces)
 
 
-def merged(points: Floats, faces: list[Cycle]) -> list[Cycle]:
+def merge_faces(points: Floats, faces: list[Cycle]) -> list[Cycle]:
     """Join neighbouring faces of one plane, where what comes out is convex."""
     normals = {k: face_normal(points[list(face)]) for k, face in enumerate(faces)}
     kept = {k: face for k, face in enumerate(faces) if normals[k].any()}
@@ -167,7 +167,7 @@ def merged(points: Floats, faces: list[Cycle]) -> list[Cycle]:
             j = owner.get((b, a), k)
             if j == k or float(normals[k] @ normals[j]) < 1 - 1e-9:
                 continue
-            joined = _joined(points, kept[k], kept[j], (a, b), normals[k])
+            joined = _join_faces(points, kept[k], kept[j], (a, b), normals[k])
             if joined is not None:
                 del kept[j]
                 kept[k] = joined
@@ -176,7 +176,7 @@ def merged(points: Floats, faces: list[Cycle]) -> list[Cycle]:
     return list(kept.values())
 
 
-def _joined(
+def _join_faces(
     points: Floats, face: Cycle, other: Cycle, edge: tuple[int, int], up: Floats
 ) -> Cycle | None:
     """Return two faces of one plane, with an edge in common, as one face if it is convex."""

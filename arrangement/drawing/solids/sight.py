@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from arrangement.drawing.colours import darkened
+from arrangement.drawing.colours import darken
 from arrangement.drawing.scene import LIGHT, Floats
 from arrangement.errors import InputError
 from arrangement.numbers.exact import IntegerVector, primitive, shown
@@ -26,9 +26,9 @@ def light(normal: Any) -> float:
     return max(0.0, float(TO_LIGHT @ normal))
 
 
-def lit(colour: str, normal: Any, least: float = 0.76) -> str:
+def shade(colour: str, normal: Any, least: float = 0.76) -> str:
     """Return a colour ``#rrggbb`` as it looks on a face; away from the light a share is left."""
-    return darkened(colour, least + (1 - least) * light(normal))
+    return darken(colour, least + (1 - least) * light(normal))
 
 
 def unit(vectors: Any) -> Floats:
@@ -70,7 +70,7 @@ def view_direction(direction: Sequence[object]) -> IntegerVector:
     return vector
 
 
-def turned(direction: IntegerVector, azimuth: float) -> IntegerVector:
+def turn_view(direction: IntegerVector, azimuth: float) -> IntegerVector:
     """Return a direction near the one that is reached by going round the upright axis.
 
     Args:

@@ -27,12 +27,12 @@ from .flat_polygons import (
     Loop,
     Segment,
     between,
-    boxed,
     creases_of,
+    drop_coordinate,
     facing,
-    flattened,
-    lifted,
-    ordered,
+    hull_corners,
+    restore_coordinate,
+    with_box,
     without,
 )
 
@@ -80,13 +80,13 @@ def surface(shapes: Iterable[Polyhedron]) -> tuple[Patch, ...]:
             facets.setdefault(row, {})[frozenset(corners)] = corners
     # A facet with a solid on either side is inside, and most are.
     alone = {
-        row: [c for ends, c in facets[row].items() if ends not in facets.get(_turned(row), ())]
+        row: [c for ends, c in facets[row].items() if ends not in facets.get(_opposite(row), ())]
         for row in sorted(facets)
     }
     sheets: dict[IntegerVector, list[Loop]] = {}
     for shape in flat:
         row = unoriented(shape.equalities[0])
-        sheets.setdefault(row, []).append(ordered(row, _homogeneous(shape)))
+        sheets.setdefault(row, []).append(hull_corners(row, _homogeneous(shape)))
     return (
         *(
             p
@@ -105,7 +105,7 @@ class _Polytope:
         self.points = _homogeneous(shape)
         self.facets = [
             (row, facing(row, [self.points[j] for j in cycle]))
-            for row, cycle in zip(map(_turned, shape.inequalities), shape.cycles, strict=True)
+            for row, cycle in zip(map(_opposite, shape.inequalities), shape.cycles, strict=True)
         ]
         self.rows = {row for row, _ in self.facets}
         self.corners = set(self.points)
@@ -126,7 +126,7 @@ class _Polytope:
         for p, q in self.edges:
             if values[p] * values[q] < 0:
                 corners.add(between(p, q, values[p], values[q]))
-        return ordered(row, corners) if len(corners) > 2 else []
+        return hull_corners(row, corners) if len(corners) > 2 else []
 
 
 class _Polytopes:
@@ -135,7 +135,7 @@ class _Polytopes:
     def __init__(self, listed: Sequence[_Polytope]) -> None:
         self.listed = listed
         self.starts = np.cumsum([0, *(len(solid.points) for solid in listed)])[:-1]
-        self.points = rounded([p for solid in listed for p in solid.points])
+        self.points = float_points([p for solid in listed for p in solid.points])
         self.low, self.high = (
             f.reduceat(self.points, self.starts) if listed else self.points
             for f in (np.minimum, np.maximum)
@@ -155,7 +155,7 @@ class _Polytopes:
         """
         if not self.listed:
             return []
-        corners, far = rounded(loop), 4 * self.far
+        corners, far = float_points(loop), 4 * self.far
         values = self.points @ _unit_rows([row])[0, :3] + _unit_rows([row])[0, 3]
         most = np.maximum.reduceat(values, self.starts)
         boxes = (self.low <= corners.max(axis=0) + far) & (self.high >= corners.min(axis=0) - far)
@@ -167,7 +167,7 @@ class _Polytopes:
         most_outside, least = sides.max(axis=0), sides.min(axis=0)
         near &= np.maximum.reduceat(least, self.row_starts) <= far
         beyond = np.maximum.reduceat(most_outside, self.row_starts)
-        listed, planes = [], (row, _turned(row))
+        listed, planes = [], (row, _opposite(row))
 
         def holds(solid: int, values: NDArray[np.float64], side: int) -> Iterator[bool]:
             """Yield for facets of a polytope whether the corners are on a side, or on the facet.
@@ -203,7 +203,7 @@ def _unit_rows(rows: Sequence[IntegerVector]) -> NDArray[np.float64]:
     return np.array([[x / max(map(abs, row)) for x in row] for row in rows]).reshape(-1, 4)
 
 
-def rounded(points: Iterable[IntegerVector]) -> NDArray[np.float64]:
+def float_points(points: Iterable[IntegerVector]) -> NDArray[np.float64]:
     """Return homogeneous points as floats, (k, 3)."""
     return np.array([[float(x / p[3]) for x in p[:3]] for p in points]).reshape(-1, 3)
 
@@ -212,7 +212,7 @@ def _homogeneous(shape: Polyhedron) -> Loop:
     return list(shape.homogeneous[0])
 
 
-def _turned(row: IntegerVector) -> IntegerVector:
+def _opposite(row: IntegerVector) -> IntegerVector:
     return tuple([-x for x in row])
 
 
@@ -226,23 +226,23 @@ def _patches(
         near = solids.near(row, loop, sheet=sheet)
         if near is None:
             continue
-        left = [boxed(flattened(row, loop))]
+        left = [with_box(drop_coordinate(row, loop))]
         for cover in kept:
             left = without(left, cover)
         for solid in near:
             if not left:
                 break
             if id(solid) not in sections:
-                section = flattened(row, solid.section(row))
-                sections[id(solid)] = boxed(section) if section else None
+                section = drop_coordinate(row, solid.section(row))
+                sections[id(solid)] = with_box(section) if section else None
             if part := sections[id(solid)]:
                 left = without(left, part)
         kept += left
     listed = [part.loop for part in kept]
     edges = creases_of(listed)
     for loop, creases in zip(listed, edges, strict=True):
-        ends = tuple((lifted(row, p), lifted(row, q)) for p, q in creases)
-        yield Patch(row, tuple(lifted(row, p) for p in loop), ends, sheet)
+        ends = tuple((restore_coordinate(row, p), restore_coordinate(row, q)) for p, q in creases)
+        yield Patch(row, tuple(restore_coordinate(row, p) for p in loop), ends, sheet)
 
 
 def _thin(shapes: Sequence[Polyhedron]) -> Iterator[Patch]:

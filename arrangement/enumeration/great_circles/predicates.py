@@ -38,10 +38,10 @@ from arrangement.numbers.float_filter import (
     Booleans,
     Floats,
     Signs,
-    decided,
+    certified_signs,
     error_bound,
     least_sizes,
-    scaled,
+    scale_rows,
     signs_of,
 )
 
@@ -149,7 +149,7 @@ class FilteredSigns(ExactSigns):
     def __init__(self, normals: Integers) -> None:
         self.normals = normals
         rows = normals.tolist()
-        self._numbers, usable = scaled(rows)
+        self._numbers, usable = scale_rows(rows)
         self._least = least_sizes(rows)
         self._absolute = np.abs(self._numbers)
         if not usable.all():  # then they serve for proposals alone
@@ -174,7 +174,7 @@ class FilteredSigns(ExactSigns):
                 )
                 return minors
 
-            return decided(
+            return certified_signs(
                 minor(self._numbers, (here, there), -1),
                 minor(self._absolute, (here, there), 1),
                 self.error,
@@ -187,7 +187,7 @@ class FilteredSigns(ExactSigns):
     def determinants(self, *circles: Indices) -> Signs:
         """Return the same with the determinants that floats leave open in exact numbers."""
         i, j, k = circles
-        return decided(
+        return certified_signs(
             _determinants([self._numbers[at] for at in circles]),
             _determinants([self._absolute[at] for at in circles], sign=1),
             self.error,

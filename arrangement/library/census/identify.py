@@ -139,11 +139,11 @@ def locate_type(signs: Signs, m: int) -> tuple[int, NDArray[np.intp], Signs, Cod
     Raises:
         LookupError: no planes have these signs.
     """
-    return _found_type(signs.astype(np.int8).tobytes(), m)
+    return _locate_text(signs.astype(np.int8).tobytes(), m)
 
 
 @lru_cache(maxsize=1)
-def _found_type(text: bytes, m: int) -> tuple[int, NDArray[np.intp], Signs, Coded]:
+def _locate_text(text: bytes, m: int) -> tuple[int, NDArray[np.intp], Signs, Coded]:
     signs = np.frombuffer(text, dtype=np.int8)[None]
     mine = canonical(signs, m)
     place = int(places(signs)[0]) if m == MOST_PLANES else _place(signs, mine.codes[0], m)

@@ -113,7 +113,7 @@ def check_list(value: Any, where: str, length: int | None = None) -> list[Any]:
     return list(value)
 
 
-def described(kind: str) -> dict[str, str]:
+def descriptions(kind: str) -> dict[str, str]:
     """Return the descriptions of the built-in documents of a kind by name."""
     documents = {name: json.loads(path.read_bytes()) for name, path in instances().items()}
     return {name: d.get("description", "") for name, d in documents.items() if kind in d}

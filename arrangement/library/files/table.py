@@ -117,7 +117,9 @@ def read_with_rest(
             return table, ""
     if form.name == "json":
         if text.strip() and text.lstrip()[0] not in '{["' and not str(source).endswith(".json"):
-            raise InputError(f"{name} is in none of the formats that are read: {_named('read')}")
+            raise InputError(
+                f"{name} is in none of the formats that are read: {_format_names('read')}"
+            )
         document = parse_json(text, name)
         return read(document, name), ", ".join(
             key for key in document if key not in (*documents.KEYS, "polygon")
@@ -134,7 +136,7 @@ def _text_of(source: str | os.PathLike[str]) -> tuple[str, str]:
     return read_text(source)
 
 
-def _named(what: str) -> str:
+def _format_names(what: str) -> str:
     return ", ".join(form.name for form in FORMATS.values() if getattr(form, what))
 
 
@@ -161,7 +163,9 @@ class Entries:
 
     def __init__(self, form: Format, text: str, name: str) -> None:
         if form.read is None:
-            raise InputError(f"the format {form.name} is only written; {_named('read')} are read")
+            raise InputError(
+                f"the format {form.name} is only written; {_format_names('read')} are read"
+            )
         self._where = f"{name}, read as {form.name}"
         self._read, self._form = form.read, form.name
         try:
@@ -212,14 +216,16 @@ def format_of_file(path: str) -> Format:
     return _BY_ENDING[ending]
 
 
-def converted(arrangement: Arrangement, form: Format) -> str:
+def text_in_format(arrangement: Arrangement, form: Format) -> str:
     """Return the text of an arrangement in a format.
 
     Raises:
         InputError: the format is only read, or cannot hold this arrangement.
     """
     if form.write is None:
-        raise InputError(f"the format {form.name} is only read; {_named('write')} are written")
+        raise InputError(
+            f"the format {form.name} is only read; {_format_names('write')} are written"
+        )
     try:
         return form.write(arrangement)
     except InputError as error:
@@ -232,14 +238,14 @@ def save(arrangement: Arrangement, path: str | os.PathLike[str]) -> None:
     Raises:
         InputError: no format has this ending, or the format cannot hold this arrangement.
     """
-    write_text_atomically(path, converted(arrangement, format_of_file(os.fspath(path))))
+    write_text_atomically(path, text_in_format(arrangement, format_of_file(os.fspath(path))))
 
 
 def to_sage(arrangement: Arrangement) -> str:
-    """Return the source text of SageMath for an arrangement; errors as for `converted`."""
-    return converted(arrangement, format_named("sage"))
+    """Return the source text of SageMath for an arrangement; errors as for `text_in_format`."""
+    return text_in_format(arrangement, format_named("sage"))
 
 
 def to_polymake(arrangement: Arrangement) -> str:
-    """Return the document of polymake for an arrangement; errors as for `converted`."""
-    return converted(arrangement, format_named("polymake"))
+    """Return the document of polymake for an arrangement; errors as for `text_in_format`."""
+    return text_in_format(arrangement, format_named("polymake"))

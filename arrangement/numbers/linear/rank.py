@@ -37,7 +37,7 @@ def rank(rows: Sequence[Sequence[int]]) -> int:
     if not len(rows):
         return 0
     width = len(rows[0])
-    sample = spread(rows, 2 * width)
+    sample = evenly_spaced(rows, 2 * width)
     if len(sample) < len(rows) and rank(sample) == width:
         return width
     ask_elimination(rows, width)
@@ -55,7 +55,7 @@ def _flint_matrix(rows: Sequence[Sequence[Any]]) -> Any:
         return None
 
 
-def spread(rows: Sequence[_Item], few: int) -> Sequence[_Item]:
+def evenly_spaced(rows: Sequence[_Item], few: int) -> Sequence[_Item]:
     """Return at most a given number of the rows, at equal distances."""
     return rows[:: max(1, -(-len(rows) // few))]
 

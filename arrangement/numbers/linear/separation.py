@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from arrangement.numbers.exact import IntegerVector
-from arrangement.numbers.float_filter import Booleans, Floats, error_bound, scaled
+from arrangement.numbers.float_filter import Booleans, Floats, error_bound, scale_rows
 
 from .polyhedron import Polyhedron
 
@@ -78,7 +78,7 @@ def sides(
     if polygons:
         points, starts = _stack([_both_ways(*polygon.homogeneous) for polygon in polygons])
         for start in range(0, len(rows), _POINTS_AT_ONCE):
-            values = scaled(rows[start : start + _POINTS_AT_ONCE])[0] @ points.T
+            values = scale_rows(rows[start : start + _POINTS_AT_ONCE])[0] @ points.T
             part = slice(start, start + _POINTS_AT_ONCE)
             above[part] = np.minimum.reduceat(values, starts, axis=1) > -_NEGATIVE
             below[part] = np.maximum.reduceat(values, starts, axis=1) < _NEGATIVE
@@ -103,7 +103,7 @@ def _any_of(flags: Booleans, starts: Sequence[int]) -> Booleans:
 def _stack(groups: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, list[int]]:
     """Return the vectors of all groups as rounded rows, and the first row of each group."""
     starts = np.cumsum([0, *map(len, groups)])[:-1].tolist()
-    return scaled([vector for group in groups for vector in group])[0], starts
+    return scale_rows([vector for group in groups for vector in group])[0], starts
 
 
 def _both_ways(

@@ -98,7 +98,7 @@ def arrangement_page(
         "summary": summary,
         "colour": colour,
         "axes": floats(globe.axes, _DIGITS),
-        "even": _shaped(globe, arrangement, coordinates, camera),
+        "even": _symmetric_or_even(globe, arrangement, coordinates, camera),
         "planes": document["planes"],
         "names": arrangement.names or None,
         "tints": tints,
@@ -114,7 +114,7 @@ def arrangement_page(
     )
 
 
-def _shaped(
+def _symmetric_or_even(
     globe: Globe, arrangement: Arrangement, coordinates: str | None, direction: Vector | None
 ) -> dict[str, Any] | None:
     """Return what the page needs to show the planes symmetric, else evened out; None below rank 3.

@@ -23,7 +23,7 @@ from arrangement.errors import extra
 from arrangement.numbers.exact import RationalVector, from_floats, shown, vector_text
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import cross, difference
-from arrangement.numbers.packing import grouped
+from arrangement.numbers.packing import group_rows
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Mesh, coordinates
 
@@ -77,7 +77,7 @@ class Surface:
         points = np.asarray(points, np.float64) + 0.0  # no negative zeros
         if not len(facets) or not np.isfinite(points).all():
             raise GraspError(f"{name} has no facets, or points that are not numbers; give a mesh")
-        order, new = grouped(np.ascontiguousarray(points).view(np.uint64))
+        order, new = group_rows(np.ascontiguousarray(points).view(np.uint64))
         label = np.empty(len(points), np.intp)
         label[order] = np.cumsum(new) - 1
         facets, points = label[np.asarray(facets)], points[order[new]]

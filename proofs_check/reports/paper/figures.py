@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from arrangement.drawing.colours import BLACK, BLUE, GREY, PALE, VERMILION
-from arrangement.drawing.layout import composed
+from arrangement.drawing.layout import panel_sheet
 from arrangement.drawing.scene import POINTS, Floats, Place, Scene, arrow, turning_arrow
 from arrangement.library.files.table import read_arrangement
 from arrangement.pictures.dual import draw_dual
@@ -67,7 +67,7 @@ class _Sketch:
 def contact_notation() -> Scene:
     """Return a contact with its frame, forces and cone and the motion; a force with its torque."""
     titles = ["contact frame, friction cone, motion", "torque is force times lever arm"]
-    return composed([_frame(), _torque()], 2, titles)
+    return panel_sheet([_frame(), _torque()], 2, titles)
 
 
 def _frame() -> Scene:
@@ -174,7 +174,7 @@ def two_pushes() -> Scene:
         draw_grasp.scene(grasp, wrench=wrench, outline=_SQUARE, width=_HALF)
         for grasp, wrench in ((up, (0, 1, 0)), (down, _DOWN))
     ]
-    return composed(pictures, 2, ["pushed up, preload 1: resisted", "pushed down: resisted"])
+    return panel_sheet(pictures, 2, ["pushed up, preload 1: resisted", "pushed down: resisted"])
 
 
 def linear_springs() -> Scene:
@@ -199,7 +199,7 @@ def _method(grasp: Grasp, solution: Any, outline: Sequence[Any], titles: list[st
         GraspLayout(grasp, verdict, outline, of_method=Solution(solution.motion, solution.forces)),
         GraspLayout(grasp, verdict, outline),
     ]
-    return composed([drawn(layout, _THIRD) for layout in layouts], 3, ["at rest", *titles])
+    return panel_sheet([drawn(layout, _THIRD) for layout in layouts], 3, ["at rest", *titles])
 
 
 def slip_planes() -> Scene:
@@ -207,7 +207,7 @@ def slip_planes() -> Scene:
     grasp = read_grasp("paper-three-contacts")
     planes = draw_planes.scene(grasp.tangential_arrangement(), sides=True, width=_HALF)
     object_ = draw_grasp.scene(grasp, outline=_SQUARE, width=_HALF)
-    return composed([object_, planes], 2, ["grasp", "planes of motions d = (x, y, r)"])
+    return panel_sheet([object_, planes], 2, ["grasp", "planes of motions d = (x, y, r)"])
 
 
 def dual_polyhedron() -> Scene:

@@ -11,11 +11,11 @@ from typing import Any
 from arrangement.console.progress import watched
 from arrangement.console.writing import make_folder, reason
 from arrangement.drawing.output import LEGENDS, THEMES, own_settings
-from arrangement.drawing.pages import BASE_STYLE, Template, framed
+from arrangement.drawing.pages import BASE_STYLE, Template, html_document
 from arrangement.drawing.scene import require_matplotlib
 from arrangement.errors import InputError, extra
 from arrangement.numbers.exact import shown
-from proofs_check.reports.page import rendered, svg_for_page
+from proofs_check.reports.page import render, svg_for_page
 
 from .figures import FIGURES
 from .tables import TABLES, PaperTable, TableContent, Times, table_scene
@@ -83,14 +83,14 @@ def _check_folder(target: Path) -> None:
 
 def _write_pictures(folder: Path, contents: Mapping[str, TableContent]) -> dict[str, str]:
     """Write every figure and table in each format; return the SVG by name."""
-    from arrangement.drawing.path_artist import finished, write_scene
+    from arrangement.drawing.path_artist import finish, write_scene
 
     scenes = {}
     with own_settings():
         for figure in watched(FIGURES, "figures"):
-            scenes[figure.name] = finished(figure.scene(), LEGENDS[0], THEMES[0])
+            scenes[figure.name] = finish(figure.scene(), LEGENDS[0], THEMES[0])
         for name, content in contents.items():
-            scenes[name] = finished(table_scene(content), LEGENDS[0], THEMES[0])
+            scenes[name] = finish(table_scene(content), LEGENDS[0], THEMES[0])
     for name, scene in scenes.items():
         for suffix in SUFFIXES:
             write_scene(folder / f"{name}{suffix}", lambda scene=scene: scene)  # type: ignore[misc]
@@ -103,7 +103,7 @@ def paper_page(
     about: Mapping[str, str],
 ) -> str:
     """Return the page, from the SVG of every figure and the cells of every table."""
-    body = rendered(
+    body = render(
         (__package__, "paper.html"),
         {"cell": _cell},
         about=about,
@@ -112,7 +112,7 @@ def paper_page(
         suffixes=SUFFIXES,
     )
     policy = "; style-src-attr 'unsafe-inline'"
-    return framed("The paper, figure by figure", body, [BASE_STYLE, _STYLE], [], policy)
+    return html_document("The paper, figure by figure", body, [BASE_STYLE, _STYLE], [], policy)
 
 
 def _cell(text: str) -> Markup:

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
 from arrangement.drawing.colours import BLACK, BLUE, GREY
-from arrangement.drawing.scene import FONT, POINTS, Scene, measure, wrapped
+from arrangement.drawing.scene import FONT, POINTS, Scene, measure, wrap_lines
 from arrangement.enumeration.paper_steps import published_enumeration
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.inputs.random import random_grasp
@@ -190,7 +190,7 @@ def table_scene(content: TableContent) -> Scene:
     room = _WIDTH * POINTS
     size = next(x for x in (FONT, 6.5, 6.0, 5.5, 5.0, 4.5, 4.0) if sum(_widths(content, x)) <= room)
     widths, row = _widths(content, size), 1.75 * size
-    note = wrapped(content.note, room - 12, size) if content.note else []
+    note = wrap_lines(content.note, room - 12, size) if content.note else []
     height = row * (len(content.rows) + 1 + len(note)) + 8
     scene = Scene(_WIDTH, height / POINTS)
     gap = (room - sum(widths)) / (len(widths) + 1)
