@@ -141,7 +141,25 @@ def colouring(
     name, own = read_choice(colour)
     if name is None and len(own) == 1:
         return Colouring(lambda _: own[0], None)
-    scheme = _colouring(name, regions, pairs, firsts, orbits)
+    if name is None:
+        apart = all(regions[a].sides != regions[b].sides for a, b in pairs)
+        name = "sides" if apart and pairs else "parity"
+    orbit_of: dict[tuple[int, ...], int] = {}
+    if name == "orbits":
+        if orbits is None:
+            raise InputError(
+                "orbits are those of central planes in R^3 or of full rank; choose another one"
+            )
+        orbit_of = dict(zip((region.signs for region in regions), orbits(), strict=True))
+
+    painters: dict[str, Painter] = {
+        **PAINTERS,
+        "parity": lambda region: CHECKERS[sum(region.signs[k] < 0 for k in firsts) % 2],
+        "orbits": lambda region: orbit_colour(orbit_of[region.signs]),
+    }
+    base = painter_of(name, {known: painters[known] for known in COLOURINGS})
+    sizes = [number for _, number in sorted(Counter(orbit_of.values()).items())]
+    scheme = Colouring(base, name if isinstance(name, str) else None, orbits=sizes)
     return scheme.with_own(own, regions) if own else scheme
 
 
@@ -197,56 +215,15 @@ def _some_regions(text: str, regions: Sequence[DrawnRegion]) -> Painter:
     return lambda region: fills.get(region.signs, "#ffffff")
 
 
-def _colouring(
-    colour: str | Painter | None,
-    regions: Sequence[DrawnRegion],
-    pairs: Sequence[tuple[int, int]],
-    firsts: Sequence[int],
-    orbits: Callable[[], Sequence[int]] | None,
-) -> Colouring:
-    if isinstance(colour, str) and colour not in COLOURINGS:
-        raise _unknown(colour, COLOURINGS)
-    if colour == "orbits":
-        if orbits is None:
-            raise InputError(
-                "orbits are those of central planes in R^3 or of full rank; choose another one"
-            )
-        of = dict(zip((region.signs for region in regions), orbits(), strict=True))
-        sizes = Counter(of.values())
-        return Colouring(
-            lambda region: orbit_colour(of[region.signs]),
-            colour,
-            orbits=[sizes[k] for k in range(len(sizes))],
-        )
-    if colour is None:
-        apart = all(regions[a].sides != regions[b].sides for a, b in pairs)
-        colour = "sides" if apart and pairs else "parity"
-    if colour != "parity":
-        return Colouring(painter(colour), colour if isinstance(colour, str) else None)
-
-    def parity(region: DrawnRegion) -> int:
-        return sum(region.signs[k] < 0 for k in firsts) % 2
-
-    return Colouring(lambda region: CHECKERS[parity(region)], "parity")
+#: What colours a region by itself, by the name of its colouring.
+PAINTERS: Mapping[str, Painter] = {
+    "sides": lambda region: side_colour(region.sides),
+    "signs": lambda region: PALETTE[round(5 * region.signs.count(-1) / max(1, len(region.signs)))],
+    "none": lambda region: "#ffffff",
+}
 
 
-def painter(colour: str | Painter) -> Painter:
-    """Return the function that colours a region: sides, signs, none, or the given function.
-
-    Raises:
-        InputError: a name that is unknown.
-    """
-    painters: dict[str, Painter] = {
-        "sides": lambda region: side_colour(region.sides),
-        "signs": lambda region: PALETTE[
-            round(5 * region.signs.count(-1) / max(1, len(region.signs)))
-        ],
-        "none": lambda region: "#ffffff",
-    }
-    return chosen(colour, painters)
-
-
-def chosen(colour: str | Paint, painters: Mapping[str, Paint]) -> Paint:
+def painter_of(colour: str | Paint, painters: Mapping[str, Paint]) -> Paint:
     """Return a colouring by name, or the given function.
 
     Raises:
@@ -255,13 +232,9 @@ def chosen(colour: str | Paint, painters: Mapping[str, Paint]) -> Paint:
     if not isinstance(colour, str):
         return colour
     if colour not in painters:
-        raise _unknown(colour, painters)
+        remedy = "expected colours, such as gold or gold,#0072b2, or one of"
+        raise refusal(f"the colouring is {shown(colour)}", colour, painters, remedy)
     return painters[colour]
-
-
-def _unknown(colour: str, known: Iterable[str]) -> InputError:
-    remedy = "expected colours, such as gold or gold,#0072b2, or one of"
-    return refusal(f"the colouring is {shown(colour)}", colour, known, remedy)
 
 
 def orbit_colour(orbit: int) -> str:

@@ -15,7 +15,15 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import EXACT, LABEL, counted
 from arrangement.console.progress import note
-from arrangement.drawing.colours import SKIN, DrawnRegion, Painter, painter, pale, plane_colour
+from arrangement.drawing.colours import (
+    PAINTERS,
+    SKIN,
+    DrawnRegion,
+    Painter,
+    painter_of,
+    pale,
+    plane_colour,
+)
 from arrangement.drawing.pages import PageFace, SolidPage
 from arrangement.drawing.scene import Floats, PageMap, Scene, millimetres
 from arrangement.drawing.solids.depth_tree import plane_tree
@@ -261,7 +269,7 @@ def cells_model(
     """
     if not isinstance(explode, int | float) or not 1 <= explode <= 10:
         raise InputError(f"explode is {shown(explode)}; give a factor from 1 to 10")
-    paint = None if colour == "planes" else painter(colour)
+    paint = None if colour == "planes" else painter_of(colour, PAINTERS)
     if colours is not None and paint is not None:
         raise InputError("colours of single planes go with the colour planes; keep one of them")
     fills = _fills(arrangement, colours)

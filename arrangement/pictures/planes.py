@@ -15,7 +15,7 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
 from arrangement.counts.configuration import pivot_columns
-from arrangement.drawing.colours import SKIN, chosen, pale, plane_colour, read_choice
+from arrangement.drawing.colours import SKIN, painter_of, pale, plane_colour, read_choice
 from arrangement.drawing.labels import (
     SIZES,
     beside,
@@ -604,7 +604,7 @@ def _painter(colour: str | FacetPainter) -> FacetPainter:
     name, own = read_choice(colour)
     if own and name is None:
         return lambda facet: shade(own[facet.label % len(own)], _facing(facet), 0.7)
-    return chosen(colour, painters)
+    return painter_of(colour, painters)
 
 
 def _facing(facet: DrawnFacet) -> Floats:
