@@ -19,6 +19,8 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.float_filter import Floats
 
+from .float_law import smooth_slip
+
 #: Integer directions in the frame of the tangents; a sector has two, counter-clockwise.
 Direction: TypeAlias = tuple[int, int]
 Sector: TypeAlias = tuple[Direction, Direction]
@@ -44,8 +46,6 @@ NARROW_SINE = 1e-4
 _WIDE_SECTOR_SIZE = 8
 #: Those of other sectors up to about this, over the sine: fine enough to lie inside.
 _SECTOR_SIZE = 64
-#: Identity matrices by their size.
-_UNITS = np.eye(0), np.eye(1), np.eye(2)
 #: Sectors whose unit vectors are remembered.
 _CACHED_SECTORS = 4096
 #: From this share of its limit on, smooth friction is that of a slip.
@@ -346,17 +346,6 @@ def _sine(sector: Sector) -> float:
     """Return the sine of the angle of a sector, 1 for wide ones."""
     u, v = _units(sector)
     return float(u[0] * v[1] - u[1] * v[0]) if u @ v > 0 else 1.0
-
-
-def smooth_slip(slip: Floats, eps: Any) -> tuple[Floats, Floats]:
-    """Return ``-s / sqrt(|s|^2 + eps^2)`` for slips s (..., m, t), and minus how it changes."""
-    squares = slip * slip
-    if slip.shape[-1] == 2:
-        squares = squares[..., :1] + squares[..., 1:]
-    root = np.sqrt(squares + eps * eps)
-    share = -slip / root
-    change = _UNITS[slip.shape[-1]] - share[..., None] * share[..., None, :]
-    return share, change / root[..., None]
 
 
 def _turned(direction: Floats, degrees: float, size: int) -> Direction:

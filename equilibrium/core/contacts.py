@@ -24,6 +24,7 @@ from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Leaf
 
 from .contact_law import spring_row
+from .float_law import FloatLaw
 
 #: Larger numbers are cut off.
 _MAX_FLOAT = 1e60
@@ -45,7 +46,7 @@ def are_moderate(numbers: Iterable[Fraction]) -> bool:
     return all(not x or _MIN_MODERATE <= abs(nearest(x)) <= _MAX_MODERATE for x in numbers)
 
 
-class FloatContacts:
+class FloatContacts(FloatLaw):
     """The numbers of contacts in R^n, each rounded once.
 
     Attributes:

@@ -1,4 +1,4 @@
-"""The law of contacts made smooth, and a quick search for an equilibrium by making it sharper.
+"""A quick search for an equilibrium of contacts that are smooth at first, and get sharper.
 
 The spring force ``q - k N . d`` bends smoothly to 0 where it would pull, and friction is a share of
 its limit that turns smoothly with the slip ``T . d``: ``-s / sqrt(|s|^2 + eps^2)``, or with
@@ -15,7 +15,6 @@ import math
 from collections.abc import Callable, Iterator
 from functools import partial
 from statistics import median
-from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
@@ -24,6 +23,7 @@ from arrangement.numbers.float_filter import Floats
 
 from .cones import Cones
 from .contacts import FloatContacts, nearest
+from .float_law import Balance
 
 _MAX_NEWTON_STEPS = 30
 #: The smoothing parameter is multiplied by this, or by more where a step fails.
@@ -48,106 +48,11 @@ _MAX_DECOMPOSED = 6
 NEWTON_RESIDUAL = 1e-12
 
 
-class ContactNumbers(Protocol):
-    """The numbers of m contacts in R^n with t tangents, of one question or of many.
-
-    Attributes:
-        normal: (..., m, n); tangents: (..., m, t, n).
-        friction, stiffness, preload: (..., m).
-    """
-
-    normal: Floats
-    tangents: Floats
-    friction: Floats
-    stiffness: Floats
-    preload: Floats
-
-
-#: Slips (..., m, t) and eps to shares of friction limits, and minus how they change (..., m, t, t).
-Smooth: TypeAlias = Callable[[Floats, Any], tuple[Floats, Floats]]
-
-
-class SmoothLaw(NamedTuple):
-    """Forces and their balance at motions (..., n), of one question or of many at once.
-
-    Attributes:
-        smooth: friction, see `Cones.smooth`.
-        load: (..., n), as all wrenches weighed with numbers for their entries.
-        normal: N as a wrench, (..., m, n); pulls: friction times T, (..., m, t, n).
-        spring: stiffness times N, (..., m, n); tangents: T, (..., m, t, n).
-        preload: (..., m, 1).
-        hardness: stiffness, or 1 where that is 0, (..., m, 1).
-    """
-
-    smooth: Smooth
-    load: Floats
-    normal: Floats
-    pulls: Floats
-    spring: Floats
-    tangents: Floats
-    preload: Floats
-    hardness: Floats
-
-    @classmethod
-    def of(
-        cls, contacts: ContactNumbers, load: Floats, smooth: Smooth, weights: Any = 1.0
-    ) -> SmoothLaw:
-        """Return the law of contacts under a load."""
-        c, stiffness = contacts, contacts.stiffness[..., None]
-        return cls(
-            smooth,
-            load * weights,
-            c.normal * weights,
-            c.friction[..., None, None] * c.tangents * weights,
-            stiffness * c.normal,
-            c.tangents,
-            c.preload[..., None],
-            np.where(stiffness > 0, stiffness, 1.0),
-        )
-
-    def take(self, rows: Any) -> SmoothLaw:
-        """Return the law of some of the questions."""
-        return SmoothLaw(self.smooth, *(numbers[rows] for numbers in self[1:]))
-
-    def forces(self, motion: Floats, eps: Any) -> tuple[Floats, Floats, Floats]:
-        """Return forces of springs (..., m, 1), and what `smooth` returns.
-
-        Args:
-            eps: a number; of many questions (..., 1, 1).
-        """
-        column = motion[..., None]
-        slip = (_flat(self.tangents) @ column).reshape(self.tangents.shape[:-1])
-        return self.preload - self.spring @ column, *self.smooth(slip, eps)
-
-    def balance(self, motion: Floats, eps: Any) -> tuple[Floats, Callable[[], Floats]]:
-        """Return the sum of all wrenches (..., n), and what returns its derivative (..., n, n)."""
-        force, share, change = self.forces(motion, eps)
-        soft = eps * self.hardness
-        root = np.sqrt(force * force + soft * soft)
-        normal = (force + root) / 2
-        arms = (self.normal + (share[..., None, :] @ self.pulls)[..., 0, :]).swapaxes(-1, -2)
-
-        def derivative() -> Floats:
-            touching = (1 + force / root) / 2
-            jacobian: Floats = arms @ (touching * self.spring)
-            turned = (normal[..., None] * change) @ self.tangents
-            jacobian += _flat(self.pulls).swapaxes(-1, -2) @ _flat(turned)
-            return -jacobian
-
-        return self.load + (arms @ normal)[..., 0], derivative
-
-
-def _flat(rows: Floats) -> Floats:
-    """Return the rows of all tangents (..., m, t, n) below each other, (..., m t, n)."""
-    *rest, m, t, n = rows.shape
-    return rows.reshape(*rest, m * t, n)
-
-
 class Continuation:
     """The path of one question's equilibrium as its contacts get sharper.
 
     Attributes:
-        law: the smoothed law.
+        balance: of the contacts.
         scale: the typical size of the coordinates of a motion; it may be off by a lot.
         arms: what the entries of the balance are weighed with: torques count as forces at a typical
             distance.
@@ -160,7 +65,7 @@ class Continuation:
         self.load = np.array([nearest(w) for w in wrench])
         self.scale = motion_scale(contacts, self.load)
         self.arms = self.scale / self.scale[0]
-        self.law = SmoothLaw.of(contacts, self.load, cones.smooth, self.arms)
+        self.balance = Balance.of(contacts, self.load, cones.smooth, self.arms)
         most = np.abs(self.load * self.arms).max()
         self.size = float(most + np.abs(contacts.preload).max(initial=0.0))
 
@@ -192,7 +97,7 @@ class Continuation:
 
     def _newton(self, motion: Floats, eps: float) -> tuple[Floats, float]:
         """Return a motion of less residual: Newton steps, damped where they fail."""
-        value, derivative = self.law.balance(motion, eps)
+        value, derivative = self.balance.smoothed(motion, eps)
         jacobian = derivative()
         residual, damping = _length(value), 0.0
         step_of: Callable[[Floats, float], Floats] | None = None
@@ -202,7 +107,7 @@ class Continuation:
             # Where a step fails only the damping changes.
             step_of = step_of or _steps(jacobian * self.scale)
             step = self.scale * step_of(value, damping)
-            tried_value, derivative = self.law.balance(motion + step, eps)
+            tried_value, derivative = self.balance.smoothed(motion + step, eps)
             tried = _length(tried_value)
             if tried < residual:
                 stalled = tried > 0.999 * residual

@@ -102,7 +102,7 @@ class EquilibriumSearch:
                 if isinstance(self.exact, PyramidParts):
                     solution = self._at_smooth_pyramids(self.exact, end, eps)
                 else:
-                    force, share, _ = path.law.forces(end, eps)
+                    force, share, _ = path.balance.forces(end, eps)
                     states = States(contacts, force[:, 0], np.nan_to_num(share))
                     solution = self._with_states(end, states)
                     solution = solution or self._rubbing(end, states.forces, states.slipping)
@@ -116,7 +116,7 @@ class EquilibriumSearch:
         normal, none = point.forces[:, 0], SETTINGS.force_tolerance
         normal = np.where(normal * np.maximum(1.0, self.contacts.friction) > none, normal, 0.0)
         if isinstance(self.exact, PyramidParts):
-            slips = self.relaxation.tangents @ point.motion
+            slips = self.relaxation.slips(point.motion)
             still = self.relaxation.stiffness * lengths(slips) <= none
             slips = np.where(still[:, None], 0.0, slips)
             return self._of_pyramids(self.exact, self.exact.near(normal, slips))
@@ -137,9 +137,9 @@ class EquilibriumSearch:
         if point is None:
             return None
         r, near, friction = self.relaxation, SETTINGS.tresca_tolerance, self.contacts.friction
-        spring = r.springs(point.motion)
+        spring = r.spring_forces(point.motion)
         normal = np.where(spring > near, point.forces[:, 0], 0.0)
-        slips = r.tangents @ point.motion
+        slips = r.slips(point.motion)
         still = r.stiffness * lengths(slips) <= near
         sticks = np.abs(point.forces[:, 1]) < friction * normal - near
         states = self.exact.near(normal, np.where(still[:, None], 0.0, slips))
@@ -193,8 +193,8 @@ class EquilibriumSearch:
     def _at_smooth_pyramids(self, exact: PyramidParts, end: Floats, eps: float) -> Solution | None:
         """Return an equilibrium of the states of pyramids at a motion of the smooth balance."""
         c = self.contacts
-        normal = np.maximum(0.0, c.spring[:, 0] + c.spring[:, 1:] @ end)
-        slips = exact.cones.directions(c.tangents @ end, eps)
+        normal = np.maximum(0.0, c.spring_forces(end))
+        slips = exact.cones.directions(c.slips(end), eps)
         return self._of_pyramids(exact, exact.near(normal, slips))
 
     def _of_pyramids(self, exact: PyramidParts, states: Node) -> Solution | None:

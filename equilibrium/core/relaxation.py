@@ -32,6 +32,7 @@ from equilibrium.core.contacts import FloatContacts, nearest
 
 from .cones import Cones, State, lengths
 from .continuation import Continuation
+from .float_law import FloatLaw
 
 with extra("space"):
     import clarabel
@@ -291,7 +292,7 @@ class Programs:
         return copy(_cone_layout(self._n, *[self.shapes[k] for k in shapes]))
 
 
-class Relaxation:
+class Relaxation(FloatLaw):
     """All relaxations of one question, in scaled units.
 
     Attributes:
@@ -457,20 +458,15 @@ class Relaxation:
         rays = np.array(clarabel.DefaultSolver(*question, self.settings).solve().x)
         return self._ray(states, program, rays[:-1]) if rays[-1] > -_ROOM_ERROR else None
 
-    def springs(self, motion: Floats) -> Floats:
-        """Return the forces of springs at a motion, below 0 where contacts are detached."""
-        forces: Floats = self.preload - self.stiffness * (self.normal @ motion)
-        return forces
-
     def violations(self, states: Sequence[State], found: Point) -> Floats:
         """Return how far each contact is from the law: the change of force that it would take."""
         d, f = found
-        slip = self.tangents @ d
+        slip = self.slips(d)
         missed = self.cones.misses(self.friction * f[:, 0], f[:, 1:], slip)
         # Without a spring no motion changes a force, and what is missed is all there is.
         soft = np.where(self.stiffness > 0, self.stiffness * lengths(slip), missed)
         rubs = np.minimum(soft, missed)
-        lifts = f[:, 0] - np.maximum(0.0, self.springs(d))
+        lifts = f[:, 0] - np.maximum(0.0, self.spring_forces(d))
         open_ = np.array([state not in ("detached", "stick") for state in states], dtype=bool)
         first = np.array([state == "undecided" for state in states], dtype=bool)
         values: Floats = np.where(open_, rubs + np.where(first, _LIFT_WEIGHT * lifts, 0.0), 0.0)

@@ -18,7 +18,7 @@ from __future__ import annotations
 import numpy as np
 
 from arrangement.numbers.float_filter import Booleans, Floats
-from equilibrium.core.cones import SLIP_SHARE, smooth_slip
+from equilibrium.core.cones import SLIP_SHARE
 from equilibrium.core.continuation import (
     MAX_PATH_STEPS,
     MAX_SMOOTHING_FACTOR,
@@ -27,10 +27,10 @@ from equilibrium.core.continuation import (
     SHARP,
     SHARPEST,
     SMOOTHING_FACTOR,
-    SmoothLaw,
 )
+from equilibrium.core.float_law import Balance, norms, products, smooth_slip
 
-from .questions import Questions, along
+from .questions import Questions
 
 #: Where a path starts that starts near an equilibrium.
 _NEAR = 1e-2
@@ -52,34 +52,35 @@ def have_equilibria(questions: Questions, starts: Floats | None = None) -> Boole
     """
     first = 1.0 if starts is None else _NEAR
     proved, rows, q = np.zeros(len(questions), dtype=bool), np.arange(len(questions)), questions
-    law = SmoothLaw.of(q, q.load, smooth_slip)
+    balance = Balance.of(q, q.load, smooth_slip)
     motion = np.zeros_like(q.load) if starts is None else starts
     eps, factor = np.full(len(q), first / SMOOTHING_FACTOR), np.full(len(q), SMOOTHING_FACTOR)
     for _ in range(MAX_PATH_STEPS):
         if not len(rows):
             break
         sharper = eps * factor
-        end, residual = _newton(law, motion, sharper[:, None, None])
+        end, residual = _newton(balance, motion, sharper[:, None, None])
         tried = np.flatnonzero((sharper < SHARP) & (residual < 1))
         holds = np.zeros(len(q), dtype=bool)
         if len(tried):
-            force, share, _ = law.take(tried).forces(end[tried], sharper[tried, None, None])
-            holds[tried] = _exists_near(q.take(tried), end[tried], force[..., 0], share)
+            near = balance.take(tried)
+            force, share, _ = near.forces(end[tried], sharper[tried, None, None])
+            holds[tried] = _exists_near(q.take(tried), near, end[tried], force[..., 0], share)
         proved[rows[holds]] = True
         good = residual <= PATH_RESIDUAL
         going = ~holds & np.where(good, sharper >= SHARPEST, factor <= MAX_SMOOTHING_FACTOR)
         motion, eps = np.where(good[:, None], end, motion), np.where(good, sharper, eps)
         factor = np.where(good, np.maximum(factor**2, SMOOTHING_FACTOR), factor**0.5)
-        rows, q, law = rows[going], q.take(going), law.take(going)
+        rows, q, balance = rows[going], q.take(going), balance.take(going)
         motion, eps, factor = motion[going], eps[going], factor[going]
     return proved
 
 
-def _newton(law: SmoothLaw, motion: Floats, eps: Floats) -> tuple[Floats, Floats]:
+def _newton(balance: Balance, motion: Floats, eps: Floats) -> tuple[Floats, Floats]:
     """Return motions of less residual, and that: Newton steps, damped where they fail."""
     motion, smallest = motion.copy(), np.full(len(motion), np.inf)
     rows, at, damping = np.arange(len(motion)), motion, np.full(len(motion), 1e-14)
-    value, derivative = law.balance(at, eps)
+    value, derivative = balance.smoothed(at, eps)
     jacobian = derivative()
     residual = smallest = np.linalg.norm(value, axis=1)
     for _ in range(_MAX_NEWTON_STEPS):
@@ -87,8 +88,8 @@ def _newton(law: SmoothLaw, motion: Floats, eps: Floats) -> tuple[Floats, Floats
         square = turned @ jacobian
         size = np.trace(square, axis1=1, axis2=2) + 1e-300
         square += (damping * size)[:, None, None] * np.eye(motion.shape[1])
-        moved = at - _solved(square, along(turned, value))
-        tried, derivative = law.balance(moved, eps)
+        moved = at - _solved(square, products(turned, value))
+        tried, derivative = balance.smoothed(moved, eps)
         left = np.linalg.norm(tried, axis=1)
         better = left < residual
         at, value = np.where(better[:, None], moved, at), np.where(better[:, None], tried, value)
@@ -100,16 +101,10 @@ def _newton(law: SmoothLaw, motion: Floats, eps: Floats) -> tuple[Floats, Floats
         going = (residual > NEWTON_RESIDUAL) & ~stalled
         if not going.any():
             break
-        rows, law, at, eps = rows[going], law.take(going), at[going], eps[going]
+        rows, balance, at, eps = rows[going], balance.take(going), at[going], eps[going]
         value, jacobian, residual = value[going], jacobian[going], residual[going]
         damping = damping[going]
     return motion, smallest
-
-
-def _pull(q: Questions, shares: Floats) -> Floats:
-    """Return the wrenches (n, m, k) of tangential forces (n, m, t)."""
-    pulls: Floats = (shares[..., None, :] @ q.tangents)[..., 0, :]
-    return pulls
 
 
 def _solved(matrix: Floats, right: Floats) -> Floats:
@@ -117,12 +112,14 @@ def _solved(matrix: Floats, right: Floats) -> Floats:
     try:
         solution = np.linalg.solve(matrix, right[..., None])[..., 0]
     except np.linalg.LinAlgError:  # one singular matrix ends the solution of all
-        solution = along(np.linalg.pinv(np.nan_to_num(matrix)), right)
+        solution = products(np.linalg.pinv(np.nan_to_num(matrix)), right)
     finite: Floats = np.nan_to_num(solution, nan=0.0, posinf=0.0, neginf=0.0)
     return finite
 
 
-def _exists_near(q: Questions, motion: Floats, force: Floats, ratio: Floats) -> Booleans:
+def _exists_near(
+    q: Questions, balance: Balance, motion: Floats, force: Floats, ratio: Floats
+) -> Booleans:
     """Return where an equilibrium of the contact states at a motion exists.
 
     Args:
@@ -130,22 +127,16 @@ def _exists_near(q: Questions, motion: Floats, force: Floats, ratio: Floats) -> 
     """
     on = (force > 0) & q.present
     share = q.friction * np.maximum(force, 0.0)
-    sticks = on & (q.friction > 0) & (_length(ratio) <= SLIP_SHARE)
+    sticks = on & (q.friction > 0) & (norms(ratio) <= SLIP_SHARE)
     exists = np.zeros(len(q), dtype=bool)
     few = np.flatnonzero(np.count_nonzero(sticks, axis=1) <= _MAX_STICKING)
     if len(few):
-        part = _FixedStates(q.take(few), on[few], sticks[few])
+        part = _FixedStates(q.take(few), balance.take(few), on[few], sticks[few])
         exists[few] = part.hold(motion[few], (share[..., None] * ratio)[few])
     rest = np.flatnonzero(~exists & np.any(q.preload > 0, axis=1))
     if len(rest):
         exists[rest] = _at_rest(q.take(rest), ratio[rest])
     return exists
-
-
-def _length(vectors: Floats) -> Floats:
-    """Return the lengths of vectors among the tangents."""
-    lengths: Floats = np.sqrt((vectors * vectors).sum(axis=-1))
-    return lengths
 
 
 class _FixedStates:
@@ -158,8 +149,8 @@ class _FixedStates:
         pulls: (n, s t, k), the t tangential wrenches of each contact in `stuck`, 0 for padding.
     """
 
-    def __init__(self, q: Questions, on: Booleans, sticks: Booleans) -> None:
-        self.q, self.on, self.sticks = q, on, sticks
+    def __init__(self, q: Questions, balance: Balance, on: Booleans, sticks: Booleans) -> None:
+        self.q, self.balance, self.on, self.sticks = q, balance, on, sticks
         self.slides = on & (q.friction > 0) & ~sticks
         self.stuck = np.argsort(~sticks, axis=1, kind="stable")[:, :_MAX_STICKING]
         self.real = np.take_along_axis(sticks, self.stuck, axis=1)
@@ -168,28 +159,17 @@ class _FixedStates:
         self.n, (self.k, self.t) = len(q), (q.load.shape[1], q.tangents.shape[2])
         self.pulls = self.pulls.reshape(self.n, -1, self.k)
         self.weight = np.where(on, q.stiffness, 0.0)
-        self.rub = np.where(self.slides, q.friction, 0.0)
 
     def _at(self, z: Floats) -> tuple[Floats, Floats]:
-        """Return F and its Jacobian; sizes of slips and forces of springs are kept."""
-        q, k, motion = self.q, self.k, z[:, : self.k]
-        self.spring = q.preload - q.stiffness * along(q.normal, motion)
-        slip = along(q.tangents, motion)
-        self.size = _length(slip)
-        way = np.where(self.slides[..., None], slip / self.size[..., None], 0.0)
-        arm = q.normal - self.rub[..., None] * _pull(q, way)
-        force = np.where(self.on, self.spring, 0.0)
-        value = np.zeros_like(z)
-        value[:, :k] = q.load + (force[:, None] @ arm)[:, 0] + (z[:, None, k:] @ self.pulls)[:, 0]
+        """Return F and its Jacobian; forces of springs are kept."""
+        k, motion = self.k, z[:, : self.k]
+        self.spring, _, total, derivative = self.balance.in_states(motion, self.on, self.slides)
         filled = np.repeat(~self.real, self.t, axis=1)
-        value[:, k:] = along(self.pulls, motion) + np.where(filled, z[:, k:], 0.0)
+        value = np.zeros_like(z)
+        value[:, :k] = total + (z[:, None, k:] @ self.pulls)[:, 0]
+        value[:, k:] = products(self.pulls, motion) + np.where(filled, z[:, k:], 0.0)
         jacobian = np.zeros((*z.shape, z.shape[1]))
-        first = -arm.transpose(0, 2, 1) @ (self.weight[..., None] * q.normal)
-        if self.t == 2:
-            across = _pull(q, np.stack([-way[..., 1], way[..., 0]], axis=2))
-            turn = np.where(self.slides, force * self.rub / self.size, 0.0)
-            first -= across.transpose(0, 2, 1) @ (turn[..., None] * across)
-        jacobian[:, :k, :k] = first
+        jacobian[:, :k, :k] = derivative()
         jacobian[:, :k, k:], jacobian[:, k:, :k] = self.pulls.transpose(0, 2, 1), self.pulls
         i = np.arange(k, z.shape[1])
         jacobian[:, i, i] = filled
@@ -208,20 +188,21 @@ class _FixedStates:
         """Return where F surely has a zero in a box around z in which all inequalities hold."""
         q, k, m = self.q, self.k, self.q.normal.shape[1]
         value, jacobian = self._at(z)
+        self.size = norms(q.slips(z[:, :k]))
         try:
             inverse = np.linalg.inv(jacobian)
         except np.linalg.LinAlgError:
             inverse = np.linalg.pinv(np.nan_to_num(jacobian))
         magnitude = np.abs(inverse)
         reach, tilt, mu = q.reach, q.tilt + q.rounding, q.friction
-        way, width = along(reach, np.abs(z[:, :k])), reach.sum(axis=2)
+        way, width = products(reach, np.abs(z[:, :k])), reach.sum(axis=2)
         # Errors at z' itself: of springs, directions of slips, and so of the balance.
         spring, missed = self._errors(way)
         turned = self._turned(missed)
         share = np.where(self.on, spring, 0.0) * (1 + mu)
         share += np.where(self.on, np.abs(self.spring), 0.0) * ((1 + mu) * tilt + mu * turned)
         held = np.zeros_like(tilt)
-        pulled = _length(z[:, k:].reshape(self.n, -1, self.t)) * self.real
+        pulled = norms(z[:, k:].reshape(self.n, -1, self.t)) * self.real
         np.put_along_axis(held, self.stuck, pulled, axis=1)
         rounding = (m + 16) * q.unit
         share += held * tilt + rounding * (np.abs(self.spring) * self.on * (1 + mu) + held)
@@ -229,7 +210,7 @@ class _FixedStates:
         error[:, :k] = (share[:, None] @ reach)[:, 0] + rounding * np.abs(q.load)
         stuck = np.take_along_axis(missed, self.stuck, axis=1) * self.real
         error[:, k:] = np.repeat(stuck, self.t, axis=1)
-        radius = 2.1 * _MARGIN * along(magnitude, np.abs(value) + error).max(axis=1)[:, None]
+        radius = 2.1 * _MARGIN * products(magnitude, np.abs(value) + error).max(axis=1)[:, None]
         # Errors in the whole box, of the Jacobian too.
         spring, missed = self._errors(way + radius * width)
         spring, missed = spring + q.stiffness * radius * width, missed + 1.5 * radius * width
@@ -240,7 +221,8 @@ class _FixedStates:
             bent = spring / least + (np.abs(self.spring) + spring) * (
                 3 * missed / (least * least) + 3 * tilt / least
             )
-            bent += rounding * np.abs(self.spring) / self.size
+            # Two tangents: twice as many terms, of at most twice their entries' size together.
+            bent += 4 * rounding * np.abs(self.spring) / self.size
             unsure += np.where(self.slides, mu * bent, 0.0)
         errors = np.zeros_like(jacobian)
         errors[:, :k, :k] = reach.transpose(0, 2, 1) @ (unsure[..., None] * reach)
@@ -289,7 +271,7 @@ def _at_rest(q: Questions, ratio: Floats) -> Booleans:
         inverse = rows @ np.linalg.pinv(square)
     share = np.clip(ratio, -SLIP_SHARE, SLIP_SHARE).reshape(n, m * t)
     for _ in range(3):
-        share = share + along(inverse, right - (share[:, None] @ rows)[:, 0])
+        share = share + products(inverse, right - (share[:, None] @ rows)[:, 0])
     rounding = (m * t + 6) * q.unit
     off = np.abs(right - (share[:, None] @ rows)[:, 0]) + right_error
     off += (np.abs(share)[:, None] @ (spread + rounding * reach))[:, 0]
@@ -298,6 +280,6 @@ def _at_rest(q: Questions, ratio: Floats) -> Booleans:
     far += (spread + rounding * reach).transpose(0, 2, 1) @ size
     beta = _MARGIN * far.sum(axis=2).max(axis=1) + k * k * q.unit
     change = _MARGIN * size.sum(axis=2) * (off.max(axis=1) / (1 - beta))[:, None]
-    room = 1 - 8 * q.unit - _length(np.abs(share).reshape(n, m, t) + change.reshape(n, m, t))
+    room = 1 - 8 * q.unit - norms(np.abs(share).reshape(n, m, t) + change.reshape(n, m, t))
     proved: Booleans = (beta < 0.9) & np.all((room > 0) | (most == 0), axis=1)
     return proved

@@ -7,7 +7,6 @@ Rows are wrenches in R^k, k = 3 in the plane and 6 in space, where a contact has
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
 from typing import Any
@@ -15,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.numbers.float_filter import UNIT, Booleans, Floats
+from equilibrium.core.float_law import FloatLaw
 
 #: Largest tangent of the angle from a given normal to the rational unit normal that stands for it.
 ANGLE = Fraction(1, 10**12)
@@ -31,7 +31,7 @@ _SMALLEST = 2.0**-100
 
 
 @dataclass
-class Questions:
+class Questions(FloatLaw):
     """n questions on up to m contacts; contacts that never press have zeros alone.
 
     The exact unit normal of a contact is the given direction turned by a small angle, and its
@@ -80,13 +80,6 @@ class Questions:
 
 
 _FIELDS = [entry.name for entry in fields(Questions) if entry.name != "unit"]
-
-
-def along(rows: Floats, motion: Floats) -> Floats:
-    """Return the scalar products of rows (n, ..., k) with a vector (n, k) each."""
-    flat = len(rows), math.prod(rows.shape[1:-1]), rows.shape[-1]
-    products = rows.reshape(flat) @ motion[..., None]
-    return products.reshape(rows.shape[:-1])
 
 
 @np.errstate(all="ignore")  # questions with extreme numbers are not used

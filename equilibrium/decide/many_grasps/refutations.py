@@ -21,8 +21,9 @@ from typing import Any
 import numpy as np
 
 from arrangement.numbers.float_filter import Booleans, Floats
+from equilibrium.core.float_law import norms, products
 
-from .questions import Questions, along
+from .questions import Questions
 
 #: Spring forces at once.
 _NUMBERS = 2**18
@@ -69,17 +70,16 @@ def are_outside_cones(questions: Questions) -> Booleans:
 
 def _works_against_cones(q: Questions, motion: Floats) -> tuple[Booleans, Floats]:
     """Return where load and contacts surely do work, and the wrench (n, k) that does the least."""
-    rub, push = along(q.tangents, motion), along(q.normal, motion)
-    length, far = np.sqrt((rub * rub).sum(axis=2)), along(q.reach, np.abs(motion))
+    kappa, slips = q.least_works(motion)
+    length, far = norms(slips), products(q.reach, np.abs(motion))
     scale = 1 / np.sqrt(1 + q.friction * q.friction)
-    work = np.where(q.present, (push - q.friction * length) * scale, np.inf)
+    work = np.where(q.present, kappa * scale, np.inf)
     doubt = (1 + 1.5 * q.friction) * (q.tilt + 2 * q.rounding) * far * scale
-    load = along(q.load[:, None], motion)[:, 0]
-    sure = load > 20 * q.unit * along(np.abs(q.load)[:, None], np.abs(motion))[:, 0]
+    load = products(q.load[:, None], motion)[:, 0]
+    sure = load > 20 * q.unit * products(np.abs(q.load)[:, None], np.abs(motion))[:, 0]
     works: Booleans = sure & np.all(work >= doubt, axis=1)
     i = np.arange(len(work)), work.argmin(axis=1)
-    way = rub[i] / np.where(length[i] > 0, length[i], 1.0)[:, None]
-    least = q.normal[i] - q.friction[i][:, None] * (way[:, None] @ q.tangents[i])[:, 0]
+    least = q.unit_wrenches(-slips[i] / np.where(length[i] > 0, length[i], 1.0)[:, None], i)
     size = np.linalg.norm(q.load, axis=1)
     from_load = load / size < work[i]
     return works, np.where(from_load[:, None], q.load / size[:, None], least * scale[i][:, None])
@@ -231,7 +231,7 @@ class _Cones:
     def works(self, motion: Floats) -> tuple[Booleans, Floats]:
         """Return which virtual motions close, and a sum of wrenches with the least work."""
         m = self.on.shape[1]
-        normal, slip = along(self.normal, motion), along(self.tangent, motion)
+        normal, slip = products(self.normal, motion), products(self.tangent, motion)
         side = np.where(self.slip != 0, self.slip, np.sign(slip))
         kappa = normal - self.friction * side * slip
         weights = self.pressed * (self.on | self.loose & (kappa < 0))[:, None]
@@ -243,7 +243,7 @@ class _Cones:
             k = values.argmin(axis=1)
             weights[i, j, k] = self.pressed[i, j, k]
             idle[i, j] = self.pressed[i, j, k] == 0
-        load = along(self.load[:, None], motion)
+        load = products(self.load[:, None], motion)
         work = ((weights @ kappa[..., None])[..., 0] + self.start * load) * self.scale
         work[idle] = np.inf
         rows, j = np.arange(len(work)), work.argmin(axis=1)
@@ -264,12 +264,12 @@ class _Cones:
         rubs = self.friction[..., None]
         doubt = (1 + rubs) * self.spread
         doubt = doubt + self.rounding * (np.abs(self.normal) + rubs * np.abs(self.tangent))
-        low = kappa - along(doubt, size)
+        low = kappa - products(doubt, size)
         pressing = np.minimum(low[:, None] * self.low, low[:, None] * self.high)
         loose = np.minimum(low, 0.0)[:, None] * self.pressed
         terms = np.where(self.on[:, None], pressing, loose)
-        total = terms.sum(axis=2) + self.start * along(self.load[:, None], motion)
-        sizes = np.abs(terms).sum(axis=2) + self.start * along(np.abs(self.load)[:, None], size)
+        total = terms.sum(axis=2) + self.start * products(self.load[:, None], motion)
+        sizes = np.abs(terms).sum(axis=2) + self.start * products(np.abs(self.load)[:, None], size)
         total -= (terms.shape[2] + 10) * self.unit * sizes
         holds: Booleans = np.all(np.where(self.start > 0, total > 0, total >= 0), axis=1)
         return holds

@@ -17,7 +17,8 @@ from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import gauss_jordan, rank
 from equilibrium.core.cones import SLIP_SHARE, LineCones
 from equilibrium.core.contacts import IntegerContacts, product
-from equilibrium.core.continuation import SHARPNESS_NEAR, Continuation, SmoothLaw
+from equilibrium.core.continuation import SHARPNESS_NEAR, Continuation
+from equilibrium.core.float_law import Balance
 from equilibrium.model.displacement import displacement
 from equilibrium.model.solution import Solution
 
@@ -49,9 +50,9 @@ class Guess:
     weights: tuple[float, ...] | float = field(default=1.0, compare=False)
 
     @classmethod
-    def near(cls, law: SmoothLaw, motion: Floats, eps: float) -> Guess:
+    def near(cls, balance: Balance, motion: Floats, eps: float) -> Guess:
         """Return the likely contact states near a motion of the smooth balance."""
-        force, share = (numbers[:, 0] for numbers in law.forces(motion, eps)[:2])
+        force, share = (numbers[:, 0] for numbers in balance.forces(motion, eps)[:2])
         touching = force > 0
         sticking = touching & ~(np.abs(share) > SLIP_SHARE)
         shares = np.where(
@@ -79,7 +80,7 @@ def find_equilibrium(
     tried: set[Guess] = set()
     with np.errstate(all="ignore"):
         for motion, eps in path:
-            guess = Guess.near(search.law, motion, eps)
+            guess = Guess.near(search.balance, motion, eps)
             if guess not in tried:
                 tried.add(guess)
                 equilibrium = exact_equilibrium(contacts, wrench, guess)
