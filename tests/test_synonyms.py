@@ -1,5 +1,6 @@
 """Names of other programs: each target runs, and unknown attributes are answered with it."""
 
+import argparse
 import copy
 import dataclasses
 import doctest
@@ -8,6 +9,7 @@ import math
 import pickle
 import re
 from dataclasses import FrozenInstanceError
+from importlib import import_module
 from importlib.resources import files
 from pathlib import Path
 from types import SimpleNamespace
@@ -177,6 +179,43 @@ def test_one_name_means_one_thing():
 def test_names_that_are_only_alike_get_no_hint(name):
     with pytest.raises(AttributeError, match=f"'{name}'$"):
         getattr(LINES, name)
+
+
+PROGRAMS = {
+    "arrangement": "arrangement.cli",
+    "equilibrium": "equilibrium.cli.program",
+    "proofs-check": "proofs_check.cli.program",
+}
+
+
+def parts_of(parser):
+    """Return the commands of a parser, or the families of one, and its options."""
+    parser.add_lazy_options()
+    kinds = [x.choices for x in parser._actions if isinstance(x, argparse._SubParsersAction)]
+    return dict(*kinds), set(parser._option_string_actions)
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_words_for_commands_name_what_there_is(program):
+    pytest.importorskip("matplotlib")
+    parsers = {name: import_module(place)._parser() for name, place in PROGRAMS.items()}
+    commands = [x for parser in parsers.values() for x in parts_of(parser)[0].values()]
+    commands += [family for command in commands for family in parts_of(command)[0].values()]
+    every = set[str]().union(*(parts_of(command)[1] for command in commands))
+    for word, use in parsers[program].synonyms.items():
+        assert word == word.lower().replace("_", "-"), f"{word} is never found"
+        for text in re.split(r"[,;] |\|", use):
+            first, *words = re.findall(r"[\w-]+", text) or [""]
+            if first in PROGRAMS and words[0] != "COMMAND":
+                commands, options = parts_of(parsers[first])
+                assert words[0] in commands, f"{word}: {use}"
+                families, options = parts_of(commands[words[0]])
+                if families and words[1:]:
+                    assert words[1] in families, f"{word}: {use}"
+                    options = parts_of(families[words[1]])[1]
+                assert {x for x in words if x[0] == "-"} <= options, f"{word}: {use}"
+            else:
+                assert set(re.findall(r"(?<!\S)--?\w[\w-]*", text)) <= every, f"{word}: {use}"
 
 
 GRASP, LOAD = read_grasp("paper-four-contacts-preload-1"), [0, "1/2", 0]

@@ -84,7 +84,7 @@ def add_command(commands: Any, name: str, text: str, *answers: str, heading: str
     if heading:
         commands.program.headings.setdefault(heading, []).append((name, text))
     added = commands.add_parser(name, help=text, description=whole, epilog=codes)
-    added.synonyms = commands.program.synonyms
+    added.synonyms, added.commands = commands.program.synonyms, commands.choices
     return added
 
 

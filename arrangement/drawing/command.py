@@ -30,8 +30,17 @@ _COMMON = {"output", "view", "model", "width", "font", "font_size", "theme", "le
 #: Other words for options of pictures, with what to write.
 _SYNONYMS = {
     "--format": "-o PATH with its ending: .svg, .pdf, .png, .tex for TikZ",
+    **dict.fromkeys(
+        ("--svg", "--pdf", "--png", "--tikz", "--save"), "-o FILE.svg, .pdf, .png, .tex for TikZ"
+    ),
     "--no-labels": "--labels none",
     "--no-legend": "--legend none",
+    "--no-axes": "--axes none",
+    **dict.fromkeys(
+        ("--linewidth", "--line-width", "--lw"), "--font-size LENGTH, which lines follow"
+    ),
+    **dict.fromkeys(("--grayscale", "--greyscale", "--mono", "--bw"), "--theme mono"),
+    "--dark": "--theme dark",
 }
 
 
@@ -82,12 +91,20 @@ def add_options(
     for flag in uses:
         if flag not in own:
             _add(parser, uses[flag], asked)
-    names = {f"--{old}": f"--{new}" for old, new in OPTION_SYNONYMS.items() if new in uses}
+    names = {
+        f"--{old.replace('_', '-')}": f"--{new}"
+        for old, new in OPTION_SYNONYMS.items()
+        if new in uses
+    }
     if "--xlim" in names:  # few views have it
         use = f"--view {uses['window'][0].name} --window X,Y X,Y"
         names |= {"--xlim": use, "--ylim": use}
     parser.synonyms = {**parser.synonyms, **_SYNONYMS, **names}
     parser.strays["mm|cm|in|pt"] = "a length in one word, such as 10cm"
+    parser.strays[r"[^-].*"] = (
+        f"{parser.prog} once for each {subject}; in Python compose([...]) of arrangement.pictures "
+        "sets figures beside each other"
+    )
     added = {*parser._actions} - before
     if asked:
         _describe(parser, drawings, asked)

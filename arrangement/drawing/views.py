@@ -74,19 +74,27 @@ TextKind: TypeAlias = Annotated[str | None, Syntax(metavar="KIND")]
 OPTION_SYNONYMS = {
     "axes": "slice",
     "base": "bottom",
-    "cmap": "colour",
-    "color": "colour",
-    "colors": "colours",
+    "highlight": "colours",
     "direction": "camera",
     "directions": "rays",
-    "figsize": "width",
-    "highlight": "colours",
-    "palette": "colour",
     "piece": "equilibrium",
     "plane": "section",
     "turn": "rotation",
-    "xlim": "window",
-    "ylim": "window",
+    **dict.fromkeys(("figsize", "height", "figure_width"), "width"),
+    **dict.fromkeys(
+        ("cmap", "color", "fill", "palette", "region_colors", "region_colours", "shade", "shading"),
+        "colour",
+    ),
+    **dict.fromkeys(
+        ("colors", "dashes", "line_color", "line_colors", "linestyle", "linestyles", "style"),
+        "colours",
+    ),
+    **dict.fromkeys(("label", "label_regions", "region_labels"), "labels"),
+    **dict.fromkeys(("label_lines", "line_labels", "line_names"), "names"),
+    **dict.fromkeys(("bbox", "bounds", "limits", "range", "xlim", "xrange", "ylim"), "window"),
+    **dict.fromkeys(("force", "forces", "load"), "wrench"),
+    **dict.fromkeys(("elev", "elevation", "view_direction", "viewpoint"), "camera"),
+    "azim": "azimuth",
 }
 
 

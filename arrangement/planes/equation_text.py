@@ -2,7 +2,8 @@
 
 They are read by a small grammar, never evaluated; a word behind a number needs a ``*``. Coordinates
 are x, y and then z where that occurs, else all names in their order (x2 before x10); the positive
-side is where the left side is the larger one, or the form is positive.
+side is where the left side is the larger one, or the form is positive. A name of the plane may come
+first, ``a: x = 0``.
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ _COORDINATE = re.compile(r"[A-Za-z](?:_?[0-9]+)?", re.ASCII)
 #: A number such as 1e5 or 1e-5, which is not a number times a coordinate e5, or e minus 5.
 _DECIMAL_POWER = re.compile(r"(?<![\w.])[0-9]+(?:\.[0-9]+)?[eE][+-]?[0-9]+")
 _NOT_FINITE = re.compile(r"\b(?:nan|inf|infinity)\b", re.IGNORECASE)
+#: The name of a plane, and its equation.
+_NAMED = re.compile(r"\s*(\w+)\s*:(.*)", re.DOTALL)
 _NUMBER = r"[0-9]+(?:\.[0-9]+)?(?:/[0-9]+)?"
 #: A sign; a number, in parentheses perhaps; a name; and what that is divided by.
 _TERM = re.compile(
@@ -38,6 +41,7 @@ SHORT = 1000
 
 def is_equation(line: str) -> bool:
     """Return whether a line has one equality sign and names, or is a linear form in coordinates."""
+    line = _NAMED.sub(r"\2", line)
     if "=" in line:
         return _EQUATION.fullmatch(line) is not None
     if _DECIMAL_POWER.search(line):
@@ -51,8 +55,8 @@ def is_equation(line: str) -> bool:
 
 def planes_of_text(
     lines: Iterable[str], coordinates: Sequence[str] | None = None
-) -> tuple[list[RationalVector], list[Fraction], list[str]]:
-    """Return normals, offsets and the names of the coordinates.
+) -> tuple[list[RationalVector], list[Fraction], list[str], dict[int, str]]:
+    """Return normals, offsets, the names of the coordinates, and those of planes by number.
 
     Args:
         lines: one equation each.
@@ -62,8 +66,11 @@ def planes_of_text(
         InputError: the line, and the term that is not linear or has another name.
     """
     rows: list[Counter[str]] = []
-    for given in lines:
+    names: dict[int, str] = {}
+    for i, given in enumerate(lines, 1):
         line = given.replace("\u2212", "-")
+        if named := _NAMED.fullmatch(line):
+            names[i], line = named.groups()
         if "=" not in line and not is_equation(line):
             raise InputError(
                 f"{shown(line)} is not a linear form in coordinates such as x or x1; write such as "
@@ -90,7 +97,7 @@ def planes_of_text(
         raise InputError(f"{others[0]} is not one of the coordinates {', '.join(ordered)}")
     budget.check_size(len(ordered), "coordinates")
     normals = [tuple(Fraction(row[name]) for name in ordered) for row in rows]
-    return normals, [Fraction(-row[""]) for row in rows], ordered
+    return normals, [Fraction(-row[""]) for row in rows], ordered, names
 
 
 def _not_linear(line: str, place: str) -> str:

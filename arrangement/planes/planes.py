@@ -152,8 +152,9 @@ class Planes:
 
         Args:
             equations: ``Eq(left, right)``, or expressions that are zero on the plane; or all of
-                them texts such as ``"x - 2*y = 1"``, read as in files and never evaluated. The
-                positive side is where the left side is the larger one, or the expression positive.
+                them texts such as ``"x - 2*y = 1"``, or ``"ell: x = 1"`` with a name, read as in
+                files and never evaluated. The positive side is where the left side is the larger
+                one, or the expression positive.
             symbols: the coordinates in their order. If omitted, all symbols of the equations,
                 sorted by name; then a coordinate that no equation has is missing. Texts in x, y, z
                 have x and y at least.
@@ -171,9 +172,9 @@ class Planes:
         """
         given = as_list(equations, "equations")
         if given and all(isinstance(equation, str) for equation in given):
-            names = None if symbols is None else [str(x) for x in as_list(symbols, "symbols")]
-            rows, constants, names = planes_of_text(given, names)
-            return cls(rows, constants, dimension=len(names))
+            axes = None if symbols is None else [str(x) for x in as_list(symbols, "symbols")]
+            rows, constants, axes, names = planes_of_text(given, axes)
+            return cls(rows, constants, dimension=len(axes), names=names)
         normals, offsets, dimension = planes_of(given, symbols)
         return cls(normals, offsets, dimension=dimension or None)
 

@@ -13,61 +13,76 @@ from .arguments import add_command, built_in
 
 #: Other words for commands and options, with what to write.
 _SYNONYMS = {
-    "example": "equilibrium list, which has the built-in grasps",
-    "examples": "equilibrium list, which has the built-in grasps",
-    "lesson": "equilibrium lab -o LAB.html; lessons are in the folder docs/lessons",
+    **dict.fromkeys(("example", "examples"), "equilibrium list, which has the built-in grasps"),
+    **dict.fromkeys(
+        ("lesson", "lessons"), "equilibrium lab -o LAB.html; lessons are in the folder docs/lessons"
+    ),
     "slides": "equilibrium lab -o LAB.html; slides are in the folder docs/slides",
     "play": "equilibrium lab -o LAB.html",
     **dict.fromkeys(
         ("exercise", "exercises", "quiz", "homework"),
         "equilibrium lab -o LAB.html; proofs-check grade slip-lab has its exercises",
     ),
-    "explain": "equilibrium info GRASP LOAD -o PAGE.html",
-    "holds": "equilibrium solve GRASP LOAD",
+    **dict.fromkeys(("explain", "report"), "equilibrium info GRASP LOAD -o PAGE.html"),
+    **dict.fromkeys(
+        ("analyse", "analyze", "decide", "forces", "holds", "run", "stable", "test", "equilibrium"),
+        "equilibrium solve GRASP --wrench F_X F_Y TAU",
+    ),
     **dict.fromkeys(("friction", "min-friction"), "equilibrium resisted GRASP LOAD --friction 1 2"),
     **dict.fromkeys(
-        ("range", "tilt", "angle"), "equilibrium resisted GRASP LOAD --parameter t=0..1"
+        ("--friction", "--mu"),
+        "equilibrium resisted GRASP LOAD --friction 1 2, for the least that holds; or write the "
+        "friction of contacts into their file",
+    ),
+    **dict.fromkeys(
+        (
+            *("range", "tilt", "angle", "sweep", "--param", "--range", "--solve-for", "--sweep"),
+            *("--for", "--unknown", "--values", "--variable", "--vary"),
+        ),
+        "equilibrium resisted GRASP LOAD --parameter t=0..1, with the letter t in the file",
     ),
     "monte-carlo": "equilibrium solve GRASP LOAD --robust length=1/100 friction=5%",
     "limit": "equilibrium resisted GRASP LOAD, or equilibrium resisted GRASP --smallest",
-    "margin": "equilibrium resisted GRASP LOAD --margin",
+    **dict.fromkeys(
+        ("limits", "max-load", "max", "stability", "load", "range-of-loads"),
+        "equilibrium resisted GRASP --wrench F_X F_Y TAU",
+    ),
+    **dict.fromkeys(("margin", "safety"), "equilibrium resisted GRASP LOAD --margin"),
     "region": "equilibrium resisted GRASP --slice U V",
     "polyhedra": "equilibrium resisted GRASP",
     "map": "equilibrium resisted GRASP --search",
     "compare": "equilibrium solve GRASP LOAD --methods",
-    "wrench-space": "equilibrium info GRASP --force-closure",
-    "force-closure": "equilibrium info GRASP --force-closure",
-    "gws": "equilibrium info GRASP --force-closure",
+    **dict.fromkeys(
+        ("wrench-space", "force-closure", "gws", "quality", "epsilon", "closure"),
+        "equilibrium info GRASP --force-closure",
+    ),
     "modes": "equilibrium info GRASP --modes",
-    "figure": "equilibrium draw GRASP --view slice -o FILE.json",
+    **dict.fromkeys(("plot", "show", "figure"), "equilibrium draw GRASP LOAD -o FIGURE.svg"),
     "export": "equilibrium draw GRASP --model scene -o FILE.xml",
-    "stability": "equilibrium resisted",
-    "limits": "equilibrium resisted",
-    "plot": "equilibrium draw",
-    "report": "equilibrium info GRASP LOAD -o PAGE.html",
-    "stable": "equilibrium solve GRASP LOAD",
+    **dict.fromkeys(
+        ("certify", "prove", "certificate"), "equilibrium solve GRASP LOAD --certificate OUT.json"
+    ),
     **dict.fromkeys(
         ("--angle", "--tilt"),
         "--force F_X F_Y, or a letter in the file and resisted --parameter t=0..1",
     ),
     "--stones": "equilibrium make arch --voussoirs N -o ARCH.json",
     "--forces": "--wrench F_X F_Y TAU",
-    "--friction": "the friction of contacts into their file",
-    "--gravity": "--weight",
-    "--load": "--wrench",
+    **dict.fromkeys(("--gravity", "--mass", "--g"), "--weight W, mass times gravity"),
+    "--load": "--wrench F_X F_Y TAU, of an assembly --on BODY F_X F_Y TAU",
     "--max": "--margin",
-    "--mu": "the friction of contacts into their file",
     "--plot": "equilibrium draw GRASP LOAD -o PATH",
-    "show": "equilibrium draw",
     "check": "equilibrium verify CERTIFICATE, or equilibrium solve GRASP LOAD",
     "convert": "equilibrium make",
     "--any-direction": "--smallest",
-    "--direction": "--wrench",
+    "--direction": "--wrench F_X F_Y TAU",
+    **dict.fromkeys(("--torque", "--moment"), "--wrench F_X F_Y TAU"),
     "--directions": "--rays",
     "--largest": "--max-magnitude",
     "--length": "--torque-length",
     "--literal": "--as-printed",
     "--proved": "--verified",
+    "--save": "--certificate OUT.json",
     "--width": "--tolerance",
     "--within": "--max-distance",
 }

@@ -13,27 +13,37 @@ from arrangement.console.options.parser import Parser
 
 #: Other words for commands and options, with what to write.
 _SYNONYMS = {
-    "check": "proofs-check run CLAIM, or equilibrium verify CERT.json for a certificate",
-    "verify": "proofs-check run CLAIM, or equilibrium verify CERT.json for a certificate",
-    "refuted": "proofs-check run | grep refuted",
-    "show": "proofs-check list ID",
-    "explain": "proofs-check list ID",
-    "counterexample": "proofs-check run ID --save FOLDER",
-    "homework": "proofs-check grade FILE.py",
-    "exercises": "proofs-check grade FILE.py",
-    "--refuted": "proofs-check run | grep refuted",
-    "--list": "proofs-check list",
+    **dict.fromkeys(
+        ("check", "verify", "prove", "test"),
+        "proofs-check run CLAIM, or equilibrium verify CERT.json for a certificate",
+    ),
+    **dict.fromkeys(
+        ("refuted", "false", "--refuted", "--false", "--failed"), "proofs-check run | grep refuted"
+    ),
+    "proved": "proofs-check run | grep proved",
+    **dict.fromkeys(("show", "explain", "info", "describe"), "proofs-check list ID"),
+    **dict.fromkeys(("claims", "--list"), "proofs-check list"),
+    **dict.fromkeys(("summary", "all", "verdicts", "--all"), "proofs-check run"),
+    **dict.fromkeys(("counterexample", "counterexamples"), "proofs-check run ID --save FOLDER"),
+    **dict.fromkeys(("homework", "exercise", "exercises"), "proofs-check grade FILE.py"),
+    **dict.fromkeys(
+        ("lesson", "lessons", "slides"),
+        "arrangement lab -o LAB.html; lessons and slides are in the folder docs",
+    ),
+    **dict.fromkeys(("--claim", "--id", "--only"), "proofs-check run ID"),
+    **dict.fromkeys(("--html", "--report"), "--output FILE.html"),
     "--max": "--classes",
     "--random": "--samples",
+    **dict.fromkeys(("--for", "--where", "--if", "--given", "--assume"), "--when STATEMENT"),
+    **dict.fromkeys(("--family", "--domain", "--on"), "--of DOMAIN, as 'braid(n=3..6)'"),
     "table": "proofs-check run FILE.csv",
     "status": "proofs-check sweep --store FILE --status",
     "merge": "proofs-check sweep --store FILE --merge PART ...",
-    "--report": "--output",
     "--census": "--classes",
     "--types": "--classes",
     "--planes": "--elements",
     "--lines": "--classes",
-    "--dim": '--of "affine(d=3)"',
+    **dict.fromkeys(("--dim", "--d", "--dimension", "-d"), '--of "affine(d=3)"'),
     "--proved": "--verified",
 }
 

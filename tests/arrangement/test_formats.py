@@ -300,6 +300,11 @@ REFUSED = {
     "prose": ("Lines in the plane", "in none of the formats"),
     "a word": ("hello", "in none of the formats"),
     "a decimal alone": ("1e5 x", "in none of the formats"),
+    "a script of polymake": (
+        'use application "fan";\nmy $H = new HyperplaneArrangement(HYPERPLANES=>[[1,0]]);\n',
+        'write save\\(\\$H, "FILE.hyar"\\);',
+    ),
+    "a name of Sage": ("A = hyperplane_arrangements.Shi(4)", "arrangement make shi makes such"),
     "a wrong length": ("++-+-", "C\\(n, 3\\)"),
     "a loop": ("+000", "element 4"),
     "two bars": ("1 0 | 2 3\n0 1 | 1\n", "several offsets"),
@@ -468,16 +473,45 @@ def test_two_equality_signs_are_one(tmp_path):
 
 
 def test_lines_of_equations_are_recognized():
-    equations = ["x = 1", "word = 2 x1", "2*word = 1", "x1 - 1/2 y"]
-    others = ["2 = 3", "x = = 2", "sin(x) = 0", "1 2", "1", "2e5", "x y", "word", "x + word"]
+    equations = ["x = 1", "word = 2 x1", "2*word = 1", "x1 - 1/2 y", "ell: x = 1", "ell: x"]
+    others = [
+        "2 = 3",
+        "a b: x",
+        "x = = 2",
+        "sin(x) = 0",
+        "1 2",
+        "1",
+        "2e5",
+        "x y",
+        "word",
+        "x + word",
+    ]
     assert [line for line in [*equations, *others] if is_equation(line)] == equations
 
 
-@pytest.mark.parametrize("text", ["x = 0; x + y = 1", "x=0, x+y=1", "x = 0\nx + y = 1"])
+@pytest.mark.parametrize(
+    "text", ["x = 0; x + y = 1", "x=0, x+y=1", "x = 0\nx + y = 1", "x, x + y - 1", "x; x+y-1"]
+)
 def test_equations_stand_in_place_of_a_path(text, capsys):
     assert read_arrangement(text) == Arrangement([[1, 0], [1, 1]], [0, 1])
     assert main(["count", text]) == 0
     assert "planes           2\n" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("text", ["[[1, 0], [1, 1]]", "((1,0),(1,1))", "[(2, 0), (1/2, 1/2)]"])
+def test_normals_stand_in_place_of_a_path(text):
+    assert read_arrangement(text) == Arrangement([[1, 0], [1, 1]])
+
+
+def test_names_of_equations_are_names_of_planes(tmp_path):
+    (tmp_path / "a.txt").write_text("ell: x = 0\nx + y = 1\nm : y = 0\n")
+    for lines in (
+        read_arrangement(tmp_path / "a.txt"),
+        read_arrangement("ell: x = 0; x + y = 1; m: y = 0"),
+        Arrangement.from_equations(["ell: x = 0", "x + y = 1", "m: y = 0"]),
+    ):
+        assert lines == Arrangement([[1, 0], [1, 1], [0, 1]], [0, 1, 0])
+        assert lines.names == ("ell", "", "m")
 
 
 def test_file_named_as_an_equation_is_read(tmp_path, monkeypatch):
@@ -513,8 +547,8 @@ def test_texts_as_normals_are_referred_to_equations():
 def test_corners_stand_in_place_of_a_polygon(text):
     triangle = Arrangement([[0, 1], [-1, -1], [1, 0]], [0, -4, 0])
     assert read_polygon(text) == triangle
-    with pytest.raises(InputError, match="cannot read"):
-        read_arrangement(text)  # these may be normals
+    with pytest.raises(InputError, match=r"cannot read|normal 1 is the zero vector"):
+        read_arrangement(text)
 
 
 @pytest.mark.parametrize("text", ["0,0/4,0/0,4", "0,0;4;0,4", "1,2", "0,0;1,1;2,2"])

@@ -52,6 +52,12 @@ def test_other_words_are_answered_with_the_name(capsys):
     terminal.add_command(commands, "go", "go there", heading="common")
     make = terminal.add_command(commands, "make", "make something")
     make.lazy_options = lambda: make.add_subparsers().add_parser("arch")
+    draw = terminal.add_command(commands, "draw", "draw it")
+    draw.add_argument("file", metavar="FILE")
+    draw.names["file"] = lambda: ["ladder"]
+    draw.add_argument("--view", required=True)
+    draw.add_argument("--at", nargs=2, metavar=("X", "Y"))
+    draw.names["view"] = lambda: ["sphere"]
     for words, answer in (
         (["walk"], "error: there is no 'walk'; write 'demo go --fast' ("),
         (["help"], "error: there is no 'help'; write 'demo COMMAND --help' ("),
@@ -61,6 +67,11 @@ def test_other_words_are_answered_with_the_name(capsys):
         (["arch"], "error: 'arch' is not a command; write demo make arch ("),
         (["go", "--speed", "3"], "error: there is no '--speed'; write '--wrench' ("),
         (["go", "--speed=3"], "error: there is no '--speed'; write '--wrench' ("),
+        (["sphere"], "error: 'sphere' is not a command; write demo draw FILE --view sphere ("),
+        (["go", "--at", "3"], "error: demo go has no --at; write demo draw FILE --at X Y ("),
+        (["draw", "walk", "--view", "x"], "error: there is no 'walk'; write 'demo go --fast' ("),
+        (["draw", "a"], "error: the following arguments are required: --view; write --view VIEW ("),
+        (["draw", "a", "b", "--view", "x"], "error: unexpected argument 'b'; demo draw takes FILE"),
     ):
         with pytest.raises(SystemExit) as stopped:
             parser.parse_args(words)
@@ -79,7 +90,9 @@ def test_unknown_option_is_answered_with_what_there_is(capsys):
         "error: unknown option '--job'; did you mean --jobs? ("
     )
     assert refused(["--no-jobs"], capsys).startswith("error: unknown option '--no-jobs'; expected")
-    assert refused(["there"], capsys).startswith("error: unexpected argument 'there' (")
+    assert refused(["there"], capsys).startswith(
+        "error: unexpected argument 'there'; try takes options alone ("
+    )
 
 
 def test_help_lists_commands_under_their_headings():

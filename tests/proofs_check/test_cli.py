@@ -89,6 +89,7 @@ def test_text_keeps_to_the_width(monkeypatch, capsys):
         (["refuted"], "write 'proofs-check run | grep refuted'"),
         (["check", "c.json"], "or equilibrium verify CERT.json for a certificate'"),
         (["try", "m >= 3", "--dim", "3"], "write '--of \"affine(d=3)\"'"),
+        (["list", "refuted"], "there is no 'refuted'; write 'proofs-check run | grep refuted'"),
     ],
 )
 def test_words_that_are_not_commands_are_answered_with_one(capsys, words, answer):
@@ -96,8 +97,3 @@ def test_words_that_are_not_commands_are_answered_with_one(capsys, words, answer
         main(words)
     assert stopped.value.code == 2
     assert answer in capsys.readouterr().err
-
-
-def test_verdicts_are_not_listed_and_the_answer_says_where_they_are(capsys):
-    assert main(["list", "refuted"]) == 2
-    assert "is a verdict; write proofs-check run | grep refuted" in capsys.readouterr().err

@@ -15,6 +15,7 @@ argparse has no public hooks for the second to fifth of these; their methods ove
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import shlex
 import sys
@@ -54,6 +55,7 @@ class Parser(argparse.ArgumentParser):
             ``{}`` stands for the word.
         for_files: of a program, the command that takes a file or a built-in name, ``{}``.
         synonyms: other words for commands and options, each with what to write.
+        commands: of a program by name; each knows them all.
         headings: the commands of a program under headings of its help: names with what they do.
         names: for arguments and options, by their destination, a function that returns the names
             that a shell completes them with.
@@ -67,6 +69,7 @@ class Parser(argparse.ArgumentParser):
         self.variadic: list[argparse.Action] = []
         self.arguments: Sequence[str] = ()
         self.synonyms: Mapping[str, str] = {}
+        self.commands: Mapping[str, Parser] = {}
         self.strays: dict[str, str] = {}
         self.for_files = ""
         self.headings: dict[str, list[tuple[str, str]]] = {}
@@ -78,6 +81,7 @@ class Parser(argparse.ArgumentParser):
         """Return the commands, to which `add_command` adds one."""
         commands: Any = super().add_subparsers(**options)
         commands.program = self
+        self.commands = commands.choices
         return commands
 
     def add_lazy_options(self) -> None:
@@ -137,6 +141,10 @@ class Parser(argparse.ArgumentParser):
             if action in self._seen and not isinstance(action, argparse._AppendAction):
                 raise argparse.ArgumentError(action, "it is given twice; give it once")
             self._seen.append(action)
+        for word in () if action.option_strings else arg_strings:
+            use = self._synonym(word) if action.dest in self.names else ""
+            if use and word not in self.names[action.dest]() and not os.path.lexists(word):
+                self.error(use)
         return super()._get_values(action, arg_strings)
 
     def _match_argument(self, action: argparse.Action, arg_strings_pattern: str) -> int:
@@ -151,15 +159,15 @@ class Parser(argparse.ArgumentParser):
         """Name the nearest choices of a misspelt one."""
         if action.choices is not None and value not in action.choices:
             if isinstance(action, argparse._SubParsersAction):
-                self._refuse_other_word(value, action.choices)
+                self._refuse_other_word(str(value), action.choices)
             known = list(action.choices)
             text = f"there is no {shown(value)}; expected one of {', '.join(known)}"
             raise argparse.ArgumentError(action, text + _suggestion(value, known))
 
-    def _refuse_other_word(self, word: str, commands: Mapping[str, Any]) -> None:
+    def _refuse_other_word(self, word: str, commands: Mapping[str, Parser]) -> None:
         """Refuse a word that is not a command, if it can be seen what is meant."""
-        if word in self.synonyms:
-            raise argparse.ArgumentError(None, self._synonym(word))
+        if use := self._synonym(word):
+            raise argparse.ArgumentError(None, use)
         use = self._stray(word)
         if not use and self.for_files:
             is_name = re.search(r"[./]", word) or word in self.names["file"]()
@@ -168,8 +176,31 @@ class Parser(argparse.ArgumentParser):
             commands["make"].add_lazy_options()
             kinds = [action.choices or () for action in commands["make"]._actions]
             use = f"{self.prog} make {word}" if any(word in kind for kind in kinds) else ""
-        if use:
+        if use := use or self._with_option(word):
             raise argparse.ArgumentError(None, f"{shown(word)} is not a command; write {use}")
+
+    def _with_option(self, word: str) -> str:
+        """Return the command that has an option of this name, or one that may have this value."""
+        flag = f"--{word.lstrip('-')}"
+        for command in self.commands.values():
+            command.add_lazy_options()
+            takes_it = {dest for dest, known in command.names.items() if word in known()}
+            for action in command._actions:
+                if flag in action.option_strings:
+                    return f"{command.prog} {command._places()} {command._usage(action)}"
+                if action.option_strings and action.dest in takes_it:
+                    return f"{command.prog} {command._places()} {action.option_strings[-1]} {word}"
+        return ""
+
+    def _places(self) -> str:
+        """Return what the command takes besides options."""
+        places = (x for x in self._actions if not x.option_strings)
+        return " ".join(str(place.metavar or place.dest) for place in places)
+
+    def _usage(self, action: argparse.Action) -> str:
+        """Return an option with what stands for its values."""
+        values = self._get_formatter()._format_args(action, action.dest.upper())
+        return " ".join([action.option_strings[0], *[values] * (action.nargs != 0)])
 
     def _stray(self, word: str) -> str:
         """Return what to write for a word for which there is no place, if that is known."""
@@ -177,15 +208,20 @@ class Parser(argparse.ArgumentParser):
         return next(uses, "").replace("{}", shlex.quote(word))
 
     def _synonym(self, word: str) -> str:
-        return f"there is no {word!r}; write {self.synonyms[word]!r}"
+        use = self.synonyms.get(word.lower().replace("_", "-"))
+        return f"there is no {word!r}; write {use!r}" if use else ""
 
     def _unknown(self, word: str) -> str:
-        if (name := word.partition("=")[0]) in self.synonyms:
-            return self._synonym(name)
+        name = word.partition("=")[0]
+        if use := self._synonym(name):
+            return use
         if use := self._stray(word):
             return f"unexpected argument {shown(word)}; write {use}"
         if not word.startswith("-"):
-            return f"unexpected argument {shown(word)}"
+            takes = self._places() or "options alone"
+            return f"unexpected argument {shown(word)}; {self.prog} takes {takes}"
+        if word.startswith("--") and (use := self._with_option(name)):
+            return f"{self.prog} has no {name}; write {use}"
         own = [
             action.option_strings[-1]
             for action in self._actions
@@ -229,6 +265,8 @@ class Parser(argparse.ArgumentParser):
         for action in self._actions:
             if action.choices and message.endswith(f"required: {action.metavar}"):
                 message += f"; expected one of {', '.join(map(str, action.choices))}"
+            elif message.endswith(f"required: {'/'.join(action.option_strings) or None}"):
+                message += f"; write {self._usage(action)}"
         self.exit(_BAD_INPUT, f"error: {error_text(message)} (see {self.prog} --help)\n")
 
 

@@ -18,6 +18,7 @@ from arrangement.library.files.documents import Format
 from arrangement.library.files.json_files import Source, parse_json, read_text
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
+from arrangement.planes.equation_text import is_equation
 from arrangement.segments import Segments
 
 from . import documents
@@ -44,15 +45,18 @@ FORMATS: dict[str, Format] = {
 }
 #: Points, in place of a file.
 _CORNERS = re.compile(r"(?=[^,]*,)[-+0-9./,;()\[\]\s]+")
+#: Normals, in place of a file.
+_NORMALS = re.compile(r"\s*[\[(]\s*[\[(][-+0-9./,;()\[\]\s]+")
 _BY_ENDING = {ending: form for form in FORMATS.values() for ending in form.endings}
 
 
 def read_arrangement(source: Source) -> Arrangement:
     """Read an arrangement from a path, ``"-"`` (stdin), a built-in name or a mapping.
 
-    Equations, as in ``"x = 0; x + y = 1"``, may stand in place of a path. Which of the formats a
-    text is in is seen from the text. A grasp file (or name, or table of contacts) is accepted too,
-    when the package that knows grasps is installed: its tangential planes are meant.
+    Equations, as in ``"x = 0; x + y = 1"``, or normals, as in ``"[[1, 0], [1, 1]]"``, may stand in
+    place of a path. Which of the formats a text is in is seen from the text. A grasp file (or name,
+    or table of contacts) is accepted too, when the package that knows grasps is installed: its
+    tangential planes are meant.
 
     Raises:
         InputError: for anything that is not exactly a valid text of one arrangement.
@@ -128,11 +132,15 @@ def read_with_rest(
 
 
 def _text_of(source: str | os.PathLike[str]) -> tuple[str, str]:
-    """Return a text and its name for messages: that of a file, or equations in its place."""
-    if not isinstance(source, str) or "=" not in source or os.path.lexists(source):
+    """Return a text and its name for messages: of a file, or what stands in its place."""
+    if not isinstance(source, str) or os.path.lexists(source):
         return read_text(source)
-    if Path(source).suffix.lower() not in _BY_ENDING:
-        return source.replace(",", ";"), shown(source)
+    if _NORMALS.fullmatch(source):
+        return source, shown(source)
+    forms = source.replace(",", ";")
+    is_text = "=" in source or (";" in forms and all(map(is_equation, forms.split(";"))))
+    if is_text and Path(source).suffix.lower() not in _BY_ENDING:
+        return forms, shown(source)
     return read_text(source)
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from importlib.util import find_spec
 
 from arrangement.library.files.documents import Format
@@ -13,18 +12,15 @@ from . import graphs, matrix, polymake, source_texts as texts
 _GRAPH = "the planes themselves; it cannot be read back"
 
 
-def _names(program: str) -> Callable[[str], object]:
-    """Return whether a text is JSON with the namespace of a program."""
-    return re.compile(rf'(?s)\s*\{{(?=.*"_ns")(?=.*"{program}")').match
-
-
 def formats() -> Iterator[Format]:
     """Yield the formats, in the order in which a text is tried.
 
     Chirotopes need the census, and that the families; without these packages they are left out.
     """
-    yield Format("polymake", (".hyar",), _names("polymake"), polymake.read, polymake.write)
-    yield Format("oscar", (".mrdi",), _names("Oscar"), polymake.read_oscar, polymake.write_oscar)
+    yield Format("polymake", (".hyar",), polymake.RECOGNISED.match, polymake.read, polymake.write)
+    yield Format(
+        "oscar", (".mrdi",), polymake.OSCAR.match, polymake.read_oscar, polymake.write_oscar
+    )
     sage = texts.SAGE.search, texts.read_sage, texts.write_sage
     yield Format("sage", (".sage",), *sage, loses=texts.loses_in_sage)
     macaulay2 = texts.ARRANGEMENT.search, texts.read_macaulay2, texts.write_macaulay2

@@ -1,6 +1,7 @@
 """A plain matrix, or plain equations; ``#`` for remarks.
 
-Equations are linear, one a line; `arrangement.planes.equation_text` reads them.
+Equations are linear, one a line; `arrangement.planes.equation_text` reads them, and names before
+them, as in ``a: x = 0``.
 
 A matrix has a normal a line, numbers with spaces or commas between.
 
@@ -23,7 +24,7 @@ _REMARK = re.compile(r"#.*")
 _HEAD = re.compile(r"\s*\"?[A-Za-z_].*[,;\t].*")
 _MATRIX = re.compile(r"(?=[^0-9]*[0-9])[-+0-9./eE,;|()\[\]\s]+")
 #: A number or a list of JSON, where there would be one row here.
-_VALUE = re.compile(r"\[[^[]*|[-+0-9./eE]+")
+_VALUE = re.compile(r"\[[^[(]*|[-+0-9./eE]+")
 #: Between two rows of one line.
 _BETWEEN = re.compile(r"[\])][\s,;]*[\[(]")
 
@@ -46,8 +47,8 @@ def recognises_equations(text: str) -> bool:
 
 def read_equations(text: str) -> Arrangement:
     """Read a plane from each line."""
-    normals, offsets, _ = planes_of_text(_equations(text))
-    return Arrangement(normals, offsets)
+    normals, offsets, _, names = planes_of_text(_equations(text))
+    return Arrangement(normals, offsets, names=names)
 
 
 def write_equations(arrangement: Arrangement) -> str:

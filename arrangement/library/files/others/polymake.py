@@ -10,6 +10,7 @@ arrangements. Files of polymake are loaded there as objects of polymake.
 from __future__ import annotations
 
 import json
+import re
 import uuid
 from collections.abc import Mapping
 from typing import Any
@@ -21,11 +22,21 @@ from arrangement.library.files.json_files import check_list, kind_of
 from arrangement.numbers.exact import rational, shown
 
 _TYPE = "fan::HyperplaneArrangement"
+#: JSON with the namespace of a program, or a script of polymake.
+OSCAR = re.compile(r'(?s)\s*\{(?=.*"_ns")(?=.*"Oscar")')
+RECOGNISED = re.compile(
+    r'(?s)\s*\{(?=.*"_ns")(?=.*"polymake")|(?!\s*\{).*\bnew\s+(?:fan::)?HyperplaneArrangement\b'
+)
 _NAMESPACE = {"polymake": ["https://polymake.org", "4.0"]}
 
 
 def read(text: str) -> Arrangement:
     """Read an object of the type HyperplaneArrangement."""
+    if not text.lstrip().startswith("{"):
+        raise InputError(
+            'a script is not run; write save($H, "FILE.hyar"); at its end, run it in polymake, and '
+            "give FILE.hyar; or write the rows of HYPERPLANES into a file, one a line"
+        )
     data = json_object(text)
     kind = str(data.get("_type"))
     if not kind.startswith(_TYPE):

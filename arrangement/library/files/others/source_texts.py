@@ -84,7 +84,11 @@ _Item: TypeAlias = "str | list[_Item]"
 _DEPTH = 3
 _OPTION = re.compile(r"\s*\w+\s*=")
 #: What a text in this language has.
-SAGE = re.compile(r"HyperplaneArrangements\(|[\[(]Hyperplane |\bArrangement <")
+SAGE = re.compile(
+    r"HyperplaneArrangements\(|\bhyperplane_arrangements\.|[\[(]Hyperplane |\bArrangement <"
+)
+#: One of its named arrangements.
+_NAMED = re.compile(r"\bhyperplane_arrangements\.(\w+)")
 _JOINED = re.compile(r"\bArrangement <([^<>]*)>")
 _SPACE = re.compile(
     r"\b(\w+)(?:\.<([\w\s,]+)>)?\s*=\s*(?:Ordered)?HyperplaneArrangements\(\s*(\w+(?:\([^()]*\))?)\s*(?:,\s*([^\n]*))?\)"
@@ -123,6 +127,11 @@ def _read_printed(text: str) -> tuple[list[_Item], list[str]]:
     if not forms and (joined := _JOINED.search(text)):
         return [*map(str.strip, joined[1].split("|"))], named_coordinates(
             re.findall(r"[A-Za-z]\w*", joined[1])
+        )
+    if named := _NAMED.search(text):
+        raise InputError(
+            f"{named[0]}(...) is not run; arrangement make {named[1].lower()} makes such "
+            "arrangements, and arrangement list --families has all"
         )
     if not forms:
         raise InputError(
