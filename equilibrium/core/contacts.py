@@ -7,7 +7,7 @@ At a homogeneous motion ``(d_0, d)`` the spring of a contact has the force
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
@@ -49,6 +49,9 @@ def are_moderate(numbers: Iterable[Fraction]) -> bool:
 class FloatContacts(FloatLaw):
     """The numbers of contacts in R^n, each rounded once.
 
+    Args:
+        number: rounds, to floats or to other numbers of Python.
+
     Attributes:
         spring: (m, n + 1), the row ``(preload, -stiffness N)``.
         normal: (m, n); tangents: (m, 1 or 2, n); tangent: (m, n), the first of them.
@@ -56,14 +59,15 @@ class FloatContacts(FloatLaw):
         length: a typical distance of the contacts from the origin.
     """
 
-    def __init__(self, rows: ContactRows) -> None:
+    def __init__(self, rows: ContactRows, number: Callable[[Any], Any] = nearest) -> None:
         self.rows, m, n = rows, len(rows), rows.n
         self.turns = np.array(rows.turns)
         self._exact = [
             (*c.normal_wrench, *chain(*c.tangential_wrenches), c.stiffness, c.preload, c.friction)
             for c in rows
         ]
-        table = np.array([[nearest(x) for x in row] for row in self._exact])
+        numbers = [[number(x) for x in row] for row in self._exact]
+        table = np.array(numbers, dtype=float if number is nearest else object)
         table = table.reshape(m, n * (1 + rows.tangents) + 3)
         self.normal = table[:, :n].copy()
         self.tangents = table[:, n:-3].reshape(m, rows.tangents, n)

@@ -15,7 +15,8 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
-from equilibrium.core.contacts import nearest
+from equilibrium.core.contacts import FloatContacts, nearest
+from equilibrium.core.float_law import Balance, smooth_slip
 from equilibrium.core.states import StateBalance
 from equilibrium.model.solution import Enclosure, Solution
 
@@ -46,9 +47,9 @@ def enclosures(balance: StateBalance, motion: Floats) -> Iterator[Solution]:
         return
     start = np.zeros(n)
     start[:p] = balance.coordinates(motion)
+    springs = np.maximum(0.0, c.spring_forces(motion))
     for k, (i, j) in enumerate(balance.pillars, p):
-        force = max(0.0, float(c.spring[i, 0] + c.spring[i, 1:] @ motion))
-        start[k] = c.friction[i] * force * balance.states.ratio[i, j]
+        start[k] = c.friction[i] * springs[i] * balance.states.ratio[i, j]
     if not np.isfinite(start).all():
         return
     idle = [
@@ -93,8 +94,7 @@ def _leaves_states(balance: StateBalance, motion: Floats, radii: Floats) -> bool
 
     The checker would refuse it, after far longer.
     """
-    spring = balance.contacts.spring
-    force = spring[:, 0] + spring[:, 1:] @ motion
+    spring, force = balance.contacts.spring, balance.contacts.spring_forces(motion)
     basis = np.array([[nearest(x) for x in row] for row in balance.basis]).reshape(-1, len(motion))
     reach = np.abs(spring[:, 1:] @ basis.T) @ radii
     reach -= _SUM_ERROR * (np.abs(spring[:, 0]) + np.abs(spring[:, 1:]) @ np.abs(motion))
@@ -118,13 +118,11 @@ class _System:
             return np.array(listed, dtype=self.type).reshape(shape)
 
         m, n = len(rows), rows.n
-        self.load = array([balance.wrench], n)
         self.basis = array(balance.basis, len(balance.basis), n).T
-        self.spring = array(balance.contacts.springs, m, n + 1)
-        self.normal = array((c.normal_wrench for c in rows), m, n)
-        self.tangents = array((row for c in rows for row in c.tangential_wrenches), m, 2, n)
-        self.friction = array([[c.friction for c in rows]], m)
-        self.shares = array(map(balance.share, range(m)), m, 2)
+        self.contacts = balance.contacts if number is nearest else FloatContacts(rows, number)
+        self.law = Balance.of(self.contacts, array([balance.wrench], n), smooth_slip)
+        self.on, self.slides = np.array(balance.states.touching), np.array(balance.states.slipping)
+        self.held = array(map(balance.share, range(m)), m, 2)
         self.idle = [array([row], n + 1) for row in idle]
 
     def newton(self, point: Any) -> tuple[Any, ...]:
@@ -149,43 +147,21 @@ class _System:
 
     def _value(self, point: Any) -> tuple[Any, Any, Any, Any]:
         """Return the sum of all wrenches, its derivative, the motion and the forces."""
-        balance, basis, p = self.balance, self.basis, len(self.balance.basis)
-        zeros = np.zeros((len(self.load), len(self.load)), self.type)
-        motion = basis @ point[:p] if p else zeros[0]
-        value, derivative = self.load.copy(), zeros.copy()
-        forces = np.zeros((len(self.spring), 3), self.type)
-        for i, touching in enumerate(balance.states.touching):
-            if not touching:
-                continue
-            normal = self.spring[i, 0] + self.spring[i, 1:] @ motion
-            slope = zeros[0].copy()
-            slope[:p] = self.spring[i, 1:] @ basis
-            if balance.states.slipping[i]:
-                slip = self.tangents[i] @ motion
-                square = slip @ slip
-                length = (square**0.5 if self.type is float else square.sqrt()) or self.number(
-                    Fraction(1)
-                )
-                unit = slip / length
-                turn = zeros[:2].copy()
-                moved = self.tangents[i] @ basis
-                turn[:, :p] = (moved - np.outer(unit, unit @ moved)) / length
-                friction = -self.friction[i] * normal * unit
-                change = -self.friction[i] * (np.outer(unit, slope) + normal * turn)
-            else:
-                share = self.friction[i] * self.shares[i]
-                friction, change = normal * share, np.outer(share, slope)
-                for k, (pillar, j) in enumerate(balance.pillars, p):
-                    if pillar == i:
-                        friction[j] += point[k]
-                        change[j, k] += 1
-            value = value + normal * self.normal[i] + friction @ self.tangents[i]
-            derivative += np.outer(self.normal[i], slope) + self.tangents[i].T @ change
-            forces[i] = normal, *friction
+        law, basis, p = self.law, self.basis, len(self.balance.basis)
+        motion = basis @ point[:p] if p else np.zeros(len(self.basis), self.type)
+        force, share, value, slope = law.in_states(motion, self.on, self.slides, self.held)
+        # Friction along pillars is unknown, beside what is held.
+        pillars = np.array(self.balance.pillars, dtype=int).reshape(-1, 2).T
+        pulls = law.tangents[tuple(pillars)]
+        value = value + point[p:] @ pulls
+        jacobian = slope()
         for row in self.idle:
             value = value + row[:-1] * (row[:-1] @ motion - row[-1])
-            derivative[:, :p] += np.outer(row[:-1], row[:-1] @ basis)
-        return value, derivative, motion, forces
+            jacobian = jacobian + np.outer(row[:-1], row[:-1])
+        normal = np.where(self.on, force, 0)[:, None]
+        forces = np.hstack([normal, normal * self.contacts.friction[:, None] * share])
+        forces[pillars[0], pillars[1] + 1] += point[p:]
+        return value, np.hstack([jacobian @ basis, pulls.T]), motion, forces
 
 
 def _inverse(matrix: Any) -> Any:
