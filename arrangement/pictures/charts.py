@@ -13,7 +13,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.drawing.colours import Choice, DrawnRegion, Painter
 from arrangement.drawing.labels import SIZES, beside, inside, keep_off, write_if_free
-from arrangement.drawing.scene import Floats, PageMap, Scene, along, curve_points, ring
+from arrangement.drawing.scene import Box, Floats, Scene, along, curve_points, ring
 from arrangement.drawing.solids.sight import best_view, picture_axes, unit_vectors, views
 from arrangement.drawing.views import Vector
 from arrangement.errors import InputError, extra
@@ -30,12 +30,12 @@ from arrangement.pictures.globe import (
     HIDDEN,
     LINE_WIDTH,
     CutChart,
+    Disc,
     Drawn,
     Globe,
     alone,
     far_direction,
     front,
-    label_regions,
     orthographic,
     rim_width,
     stereographic,
@@ -102,131 +102,116 @@ def draw_stereographic(
     if whole is None:
         whole = 0 < _farthest(globe) <= FARTHEST
     colours = globe.colouring(colour)
-    if not whole:
-        disc = alone(globe, front(globe, stereographic), names, width)
-        disc.map_points(moved)
-        disc.draw(colours.paint)
-        explain_regions(disc.scene, colours, names, globe.front.values())
-        return disc.scene
-    if math.isinf(_farthest(globe)):
+    if whole and math.isinf(_farthest(globe)):
         k = next(i for i, s in enumerate(arrangement.signs_at(globe.direction)) if s == 0)
         raise InputError(
             f"the camera lies on circle {k + 1}, which would pass through infinity; "
             "choose another camera, or the front half alone "
             + budget.by_caller("(whole=False)", "(--no-whole)")
         )
+    disc = (
+        _both_halves(globe, names, width)
+        if whole
+        else alone(globe, front(globe, stereographic), names, width)
+    )
+    disc.map_points(moved)
+    disc.draw(colours.paint)
+    explain_regions(disc.scene, colours, names, globe.regions if whole else globe.front.values())
+    return disc.scene
+
+
+def _both_halves(globe: Globe, names: RegionLabels, width: float) -> _Whole:
+    """Return the place for both halves: all circles and the limb, in a square frame."""
     scene = Scene(width, width)
-    picture = _Whole(globe, scene, colours.paint, names)
-    picture.draw()
-    scene.maps.append(PageMap(place=lambda p: picture.place(moved(p)), size=3))
-    explain_regions(scene, colours, names, globe.regions)
-    return scene
+    normals = unit_vectors(globe.whole.circle_normals).reshape(-1, 3) @ globe.axes.T
+    a, b, c = normals.T
+    centres, radii = np.stack([a / c, b / c], axis=1), 1 / np.abs(c)[:, None]
+    low = np.vstack([centres - radii, [[-1.0, -1.0]]]).min(axis=0)
+    high = np.vstack([centres + radii, [[1.0, 1.0]]]).max(axis=0)
+    room = scene.width / 2 - _FRAME - rim_width(scene, globe)
+    scale = room / max(float((high - low).max()) / 2, 1.0)
+    x, y = (scene.width / 2 - scale * (low + high) / 2).tolist()
+    rays = [globe.whole.ray(v) for v in range(globe.whole.vertex_count)]
+    points = unit_vectors(rays) @ globe.axes.T if rays else np.empty((0, 3))
+    drawn = Drawn(globe.whole, points, normals, stereographic)
+    return _Whole(scene, (x, y), scale, globe, drawn, names, flat=True)
 
 
-class _Whole:
-    """The picture of both halves: a frame, the outer region, and all others on top of it."""
+#: Between the frame of a whole picture and the edge of the paper, in points.
+_FRAME = 1.5
 
-    def __init__(self, globe: Globe, scene: Scene, paint: Painter, names: RegionLabels) -> None:
-        self.scene, self.globe, self.paint, self.names = scene, globe, paint, names
-        self.centre = np.array([scene.width / 2, scene.height - scene.width / 2])
-        self.half = scene.width / 2 - 1.5
-        self.normals = unit_vectors(globe.whole.circle_normals).reshape(-1, 3) @ globe.axes.T
-        low, high = self._extent()
-        self.middle = (low + high) / 2
-        self.scale = (self.half - rim_width(scene, globe)) / max(float((high - low).max()) / 2, 1.0)
-        rays = [globe.whole.ray(v) for v in range(globe.whole.vertex_count)]
-        points = unit_vectors(rays) @ globe.axes.T if rays else np.empty((0, 3))
-        self.drawn = Drawn(globe.whole, points, self.normals, stereographic)
 
-    def _extent(self) -> tuple[Floats, Floats]:
-        """Return the lower left and upper right corners of all circles and the limb."""
-        a, b, c = self.normals.T
-        centres = np.stack([a / c, b / c], axis=1)
-        radii = 1 / np.abs(c)[:, None]
-        low = np.vstack([centres - radii, [[-1.0, -1.0]]]).min(axis=0)
-        return low, np.vstack([centres + radii, [[1.0, 1.0]]]).max(axis=0)
+class _Whole(Disc):
+    """Both halves: the outer region in a frame, and all others on top of it."""
 
-    def on_paper(self, points: Floats) -> Floats:
-        return self.centre + self.scale * (points - self.middle)
+    def _frame(self, inside: float = 0.0) -> Box:
+        """Return the frame, or a box that is so far inside of it."""
+        low, high = _FRAME + inside, self.scene.width - _FRAME - inside
+        return low, low, high, high
 
-    def place(self, point: Floats) -> Floats:
-        """Return the place of a direction from the origin."""
-        x, y, z = self.globe.axes @ point / np.linalg.norm(point)
-        return self.on_paper(np.array([x, y]) / (1 + z))
+    @property
+    def room(self) -> Box:
+        return self._frame(2.0)
 
-    def draw(self) -> None:
-        outlines = self._fill()
-        lines = []
-        firsts = self.globe.whole.arrangement.firsts
-        circles = self.globe.whole.incidence.arc_circle
-        for arc in range(self.globe.whole.arc_count):
-            curve = self.on_paper(self.drawn.arc(arc))
-            name = f"arc-{firsts[circles[arc]] + 1}-{arc + 1}"
-            self.scene.curve(curve, fill=False, ec="black", lw=0.9, zorder=3, gid=name)
-            lines.append(along(curve))
-        limb = self.on_paper(np.zeros((1, 2)))[0]
-        self.scene.circle(limb, self.scale, fill=False, ec="black", gid="limb", **HIDDEN)
-        corners = self._corners()
-        self.scene.polygon(corners, fill=False, ec="black", lw=0.4, ls=(0, (1, 2)), role="border")
-        self._names(lines)
-        dashes = ring(limb, self.scale)
-        a, b, c = self.normals.T
-        centres = self.on_paper(np.stack([a / c, b / c], axis=1))
-        discs = map(ring, centres, self.scale / np.abs(c))
-        free = inside(self.scene, corners, keep_off([], discs))
-        write_if_free(self.scene, self.outer, SIZES, free)
-        within = (*(corners[0] + 2), *(corners[2] - 2))
-        label_regions(self.scene, self.names, outlines, [*lines, dashes], [dashes], within, True)
-
-    def _fill(self) -> list[tuple[DrawnRegion, Floats]]:
-        """Fill the outer region first, then all others; return all but it with outlines."""
-        globe = self.globe
-        filled: list[tuple[DrawnRegion, Floats]] = []
-        outside = globe.whole.arrangement.signs_at([-x for x in globe.direction])
-        numbers = sorted(enumerate(globe.regions), key=lambda item: item[1].signs != outside)
+    def curves(
+        self, paint: Painter, *, both_ends: bool = False
+    ) -> tuple[list[tuple[DrawnRegion, Floats]], list[Floats], list[Floats]]:
+        scene, sphere = self.scene, self.globe.whole
+        left, low, right, high = self._frame()
+        frame = np.array([(left, low), (right, low), (right, high), (left, high)])
+        outlines: list[tuple[DrawnRegion, Floats]] = []
+        outside = sphere.arrangement.signs_at([-x for x in self.globe.direction])
+        numbers = sorted(enumerate(self.globe.regions), key=lambda item: item[1].signs != outside)
         for r, region in numbers:
             name = self.names.element("region", region.signs)
-            style: dict[str, Any] = {"fc": self.paint(region), "ec": "none", "gid": name}
+            style: dict[str, Any] = {"fc": paint(region), "ec": "none", "gid": name}
             if region.signs == outside:
-                self.scene.polygon(self._corners(), **style)
-                self.outer = self.names.forms(region.signs)[:1]
+                scene.polygon(frame, **style)
             else:
                 outline = self.on_paper(self.drawn.outline(r))
-                self.scene.curve(outline, **style)
-                filled.append((region, curve_points(outline)))
-        return filled
+                scene.curve(outline, **style)
+                outlines.append((region, curve_points(outline)))
+        lines = []
+        for arc, circle in enumerate(sphere.incidence.arc_circle.tolist()):
+            curve = self.on_paper(self.drawn.arc(arc))
+            name = f"arc-{sphere.arrangement.firsts[circle] + 1}-{arc + 1}"
+            scene.curve(curve, fill=False, ec="black", lw=LINE_WIDTH, zorder=3, gid=name)
+            lines.append(along(curve))
+        scene.circle(self.centre, self.radius, fill=False, ec="black", gid="limb", **HIDDEN)
+        scene.polygon(frame, fill=False, ec="black", lw=0.4, ls=(0, (1, 2)), role="border")
+        discs = self._name_circles(keep_off(lines))
+        free = inside(scene, frame, keep_off([], [ring(disc[:2], disc[2]) for disc in discs]))
+        write_if_free(scene, self.names.forms(outside)[:1], SIZES, free)
+        return outlines, lines, [ring(self.centre, self.radius)]
 
-    def _corners(self) -> Floats:
-        signs = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
-        return self.centre + self.half * signs
+    def _name_circles(self, off: Any) -> Floats:
+        """Write each circle's number outside its farthest point, or else close to its line.
 
-    def _names(self, lines: Sequence[Floats]) -> None:
-        """Write each circle's number outside its farthest point, or else close to its line."""
-        classes, off = self.globe.whole.arrangement.distinct, keep_off(lines)
-        a, b, c = self.normals.T
-        discs = self.scale * np.stack([a / c, b / c, 1 / np.abs(c)], axis=1)
+        Returns:
+            The circles on paper, (c, 3): centre and radius.
+        """
+        a, b, c = self.drawn.normals.T
+        centres = self.on_paper(np.stack([a / c, b / c], axis=1))
+        discs = np.column_stack([centres, self.radius / np.abs(c)])
 
         def apart(one: int, other: int) -> float:
             x, y, larger = discs[one] - discs[other]
             return math.hypot(x, y) + abs(float(larger))
 
+        classes = self.globe.whole.arrangement.distinct
         texts = names_on_paper(self.scene.legend, self.names, classes, apart, LINE_WIDTH)
-        for k, text in sorted(texts.items(), key=lambda item: abs(self.normals[item[0], 2])):
+        for k, text in sorted(texts.items(), key=lambda item: abs(c[item[0]])):
+            # Farther and farther from the farthest point.
             for step in range(84):
-                if self._name(k, text, step, off):
+                angle = math.atan2(b[k] * c[k], a[k] * c[k])
+                angle += (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
+                outward = np.array([math.cos(angle), math.sin(angle)])
+                rim = discs[k, :2] + discs[k, 2] * outward
+                places = beside(rim, away=outward, distance=1.2, within=self._frame(4.0), turns=2)
+                look: dict[str, Any] = {"off": off, "style": "italic"}
+                if write_if_free(self.scene, [text], SIZES[:2], places, **look):
                     break
-
-    def _name(self, k: int, text: str, step: int, off: Any) -> bool:
-        """Try a place, farther and farther from the farthest point of a circle."""
-        a, b, c = self.normals[k].tolist()
-        centre, radius = np.array([a / c, b / c]), 1 / abs(c)
-        angle = math.atan2(b * c, a * c) + (step + 1) // 2 * 0.075 * (1 if step % 2 else -1)
-        outward = np.array([math.cos(angle), math.sin(angle)])
-        rim = self.on_paper((centre + radius * outward)[None])[0]
-        within = (*(self._corners()[0] + 4), *(self._corners()[2] - 4))
-        places = beside(rim, away=outward, distance=1.2, within=within, turns=2)
-        look: dict[str, Any] = {"off": off, "style": "italic"}
-        return write_if_free(self.scene, [text], SIZES[:2], places, **look)
+        return discs
 
 
 def _farthest(globe: Globe) -> float:

@@ -421,6 +421,7 @@ class Disc:
         names: of the regions.
         ink: the colour of each class of planes; if omitted, black.
         solid: whether it is a ball, shaded, with the arcs on its far side dashed.
+        flat: whether no region is seen from the side.
     """
 
     scene: Scene
@@ -431,6 +432,12 @@ class Disc:
     names: RegionLabels
     ink: Callable[[int], str] | None = None
     solid: bool = False
+    flat: bool = False
+
+    @property
+    def room(self) -> Box:
+        """The part of the scene that leader lines must not leave."""
+        return 0.0, self.scene.height - self.scene.width, self.scene.width, self.scene.height
 
     def on_paper(self, points: Floats) -> Floats:
         """Return points of the disc in points of the scene."""
@@ -456,10 +463,8 @@ class Disc:
         """Draw everything, labels of regions off the lines `avoid`; return all lines, (k, 2)."""
         outlines, arcs, hidden = self.curves(paint, both_ends=both_ends)
         inner = [*hidden, *avoid]
-        wide, high = self.scene.width, self.scene.height
-        box = within or (0.0, high - wide, wide, high)
-        lines = [*arcs, *inner]
-        label_regions(self.scene, self.names, outlines, lines, inner, box)
+        lines, box = [*arcs, *inner], within or self.room
+        label_regions(self.scene, self.names, outlines, lines, inner, box, self.flat)
         return lines
 
     def curves(
