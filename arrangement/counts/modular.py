@@ -159,7 +159,7 @@ class ModularVectors:
 
     def _quotients(self, bases: Integers, prime: int) -> Integers:
         """Return coordinates of the quotient by each basis: of each, a row of all vectors."""
-        vectors = self._reduce(prime)
+        vectors = np.array(residues(self._vectors, prime), dtype=np.int64)
         count, rank = len(bases), self.rank
         forms = np.broadcast_to(np.eye(rank, dtype=np.int64), (count, rank, rank))
         rows = np.arange(count)
@@ -180,9 +180,6 @@ class ModularVectors:
         else:
             images = columns @ vectors.T
         return _modulo(images, prime).reshape(-1, count, self.count)
-
-    def _reduce(self, prime: int) -> Integers:
-        return np.array(residues(self._vectors, prime), dtype=np.int64)
 
     def _group(self, labels: Integers, members: NDArray[np.bool_]) -> Covers:
         """Group the vectors beside each flat by equal labels."""

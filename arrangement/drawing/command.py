@@ -70,7 +70,10 @@ def add_options(
         more: what else the options "output" and "model" take, for their help.
     """
     more = more or {}
-    asked = _view_names(parser.arguments) if {"-h", "--help"} & {*parser.arguments} else None
+    asked: set[str] | None = None
+    if {"-h", "--help"} & {*parser.arguments}:
+        lists = re.findall(r"--(?:view|model)[ =]([^ ]+)", " ".join(parser.arguments))
+        asked = {name for names in lists for name in names.split(",")}
     before = {*parser._actions}
     subject = next(a.metavar for a in parser._actions if not a.option_strings)
     parser.usage = f"%(prog)s {subject} -o PATH [--view VIEW] [options]"
@@ -107,7 +110,13 @@ def add_options(
     )
     added = {*parser._actions} - before
     if asked:
-        _describe(parser, drawings, asked)
+        width = get_terminal_size().columns - 2
+        texts = [
+            textwrap.fill(f"{title}: {text}", width)
+            for title, text in _summaries(drawings)
+            if {*title.split()} & asked
+        ]
+        parser.description = "\n".join(texts) or parser.description
     elif asked is not None:
         _list(parser, drawings, {x for x in added if x.dest not in {*_COMMON, *common}})
 
@@ -146,12 +155,6 @@ def _add(parser: Parser, uses: list[_Use], asked: set[str] | None) -> None:
     replace(first, several=several).add_to(parser, **changes)
 
 
-def _view_names(words: Collection[str]) -> set[str]:
-    """Return the views, models and pages that are named on a command line."""
-    lists = re.findall(r"--(?:view|model)[ =]([^ ]+)", " ".join(words))
-    return {name for names in lists for name in names.split(",")}
-
-
 def _help(uses: list[_Use], asked: set[str] | None) -> str:
     """Return what an option means for the views that are asked for, or the first one that has it.
 
@@ -168,17 +171,6 @@ def _help(uses: list[_Use], asked: set[str] | None) -> str:
         ]
     helps = dict.fromkeys(replace(uses[0].option, text=text).help for text in texts)
     return "; or: ".join(helps) or argparse.SUPPRESS
-
-
-def _describe(parser: Parser, drawings: Drawings, asked: set[str]) -> None:
-    """Describe what is asked for."""
-    width = get_terminal_size().columns - 2
-    texts = [
-        textwrap.fill(f"{title}: {text}", width)
-        for title, text in _summaries(drawings)
-        if {*title.split()} & asked
-    ]
-    parser.description = "\n".join(texts) or parser.description
 
 
 def _list(parser: Parser, drawings: Drawings, hidden: Collection[argparse.Action]) -> None:
@@ -218,8 +210,7 @@ def given_options(
     model = getattr(arguments, "model", None)
     kind, name = drawings.target(arguments.output, arguments.view, model)
     taken = {option.flag: option for option in drawings.options(kind, name).values()}
-    names = options_of(Printing)
-    printing = {name: getattr(arguments, name) for name in names}
+    printing = {name: getattr(arguments, name) for name in options_of(Printing)}
     options = {name: value for name, value in printing.items() if value is not None}
     for flag, uses in _uses(known or drawings).items():
         value = getattr(arguments, flag.replace("-", "_"))

@@ -382,15 +382,12 @@ def wrap_lines(text: str, room: float, size: float = FONT, weight: str = "normal
     if width > most > 8:
         lines, width = textwrap.wrap(text, most), most
     while width > 8 and any(
-        measure(line, size, weight=weight)[0] > room for line in _longest_first(lines)
+        measure(line, size, weight=weight)[0] > room
+        for line in sorted(lines, key=len, reverse=True)
     ):
         lines = textwrap.wrap(text, width)
         width = min(width, max(map(len, lines))) - 1
     return lines
-
-
-def _longest_first(lines: list[str]) -> list[str]:
-    return sorted(lines, key=len, reverse=True)
 
 
 def area(corners: Floats) -> float:

@@ -331,10 +331,6 @@ class ViewEntry:
     changes: Callable[[Any, int], Iterable[Mapping[str, Any]]] | None = None
 
 
-def _turn(count: int) -> Iterator[dict[str, float]]:
-    return ({"azimuth": 360 * k / count} for k in range(count))
-
-
 def able_to_show(views: Mapping[str, ViewEntry], subject: Any) -> dict[str, ViewEntry]:
     """Return the views, models or pages that can show a subject."""
     return {name: view for name, view in views.items() if view.shows(subject)}
@@ -490,7 +486,9 @@ class Drawings:
         elif "azimuth" in known:
             if "labels" in known:
                 options.setdefault("labels", "none")
-            printing.write_movie(path, scene, _turn)
+            printing.write_movie(
+                path, scene, lambda count: ({"azimuth": 360 * k / count} for k in range(count))
+            )
         else:
             able = [view for view in self.views if "azimuth" in self.options("view", view)]
             raise InputError(f"the view {name} does not turn; there are {', '.join(able)}")

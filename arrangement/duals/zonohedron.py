@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable
-from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -27,7 +26,6 @@ from arrangement.enumeration.great_circles import (
 from arrangement.errors import ArrangementError, InputError, extra
 from arrangement.numbers.exact import (
     IntegerVector,
-    RationalVector,
     dot,
     rational_vector,
     shown,
@@ -283,11 +281,8 @@ def zonotope(generators: Iterable[Iterable[Any]]) -> Zonotope:
     vectors = [rational_vector(row, f"generators[{i}]") for i, row in enumerate(generators)]
     planes = Planes(vectors)
     pairs = zip(vectors, planes.integer_planes, strict=True)
-    return dual_zonotope(planes, [_ratio(vector, plane) for vector, plane in pairs])
-
-
-def _ratio(vector: RationalVector, plane: IntegerVector) -> Fraction:
-    return next(x / n for x, n in zip(vector, plane, strict=False) if n)
+    lengths = [next(x / n for x, n in zip(*pair, strict=False) if n) for pair in pairs]
+    return dual_zonotope(planes, lengths)
 
 
 def _check_surface(dual: DualPolyhedron) -> None:

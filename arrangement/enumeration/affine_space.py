@@ -318,23 +318,17 @@ def _block(table: PlaneTable, i: Indices, j: Indices) -> Lines:
     return _segments(i, j, triple, sides[keep], through, order, tied)
 
 
-def _points_on_lines(table: PlaneTable, i: Indices, j: Indices) -> Floats:
-    """Return, roughly, the point of each line nearest to the origin."""
+def _parameters(table: PlaneTable, i: Indices, j: Indices, triple: Signs, slopes: Floats) -> Floats:
+    """Return the float parameters of the crossings; infinity where there is none."""
     direction = table.minors[i, j, :3]
     left, right = table.floats[i], table.floats[j]
     sums = left[:, 3:] * np.cross(right[:, :3], direction)
     sums += right[:, 3:] * np.cross(direction, left[:, :3])
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        points: Floats = sums / (direction**2).sum(axis=1, keepdims=True)
-    return np.nan_to_num(points, copy=False)
-
-
-def _parameters(table: PlaneTable, i: Indices, j: Indices, triple: Signs, slopes: Floats) -> Floats:
-    """Return the float parameters of the crossings; infinity where there is none."""
-    points = _points_on_lines(table, i, j)
-    heights = table.floats[:, 3] - points @ table.floats[:, :3].T
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        parameters = np.nan_to_num(heights / slopes, copy=False)
+        # The point of each line that is roughly the nearest to the origin.
+        points = np.nan_to_num(sums / (direction**2).sum(axis=1, keepdims=True), copy=False)
+        heights = table.floats[:, 3] - points @ table.floats[:, :3].T
+        parameters: Floats = np.nan_to_num(heights / slopes, copy=False)
     parameters[triple == 0] = np.inf
     return parameters
 

@@ -36,15 +36,12 @@ class Coefficients:
     def __init__(self, rows: Sequence[Sequence[Any]]) -> None:
         self.field = field_of(x for row in rows for x in row)
         self.degree = 1 if self.field is None else self.field.degree
-        units = np.eye(self.degree, dtype=int).tolist()
-        products = [[1]] if self.field is None else self._products(units)
+        products = [[1]]
+        if self.field is not None:
+            units = list(map(tuple, np.eye(self.degree, dtype=int).tolist()))
+            products = [[x for v in units for x in self.field.product(u, v)] for u in units]
         # (c, c * c): from the coefficients of x to the matrix of y -> x y for rows y
         self._table = as_integers(products)
-
-    def _products(self, units: list[list[int]]) -> list[list[int]]:
-        assert self.field is not None
-        product = self.field.product
-        return [[x for v in units for x in product(tuple(u), tuple(v))] for u in units]
 
     def array(self, rows: Sequence[Sequence[Any]], n: int) -> Integers:
         """Return vectors with n entries as an array (rows, n, c)."""

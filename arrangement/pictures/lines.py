@@ -44,7 +44,6 @@ from arrangement.drawing.labels import (
 from arrangement.drawing.scene import POINTS, Floats, PageMap, Scene, along, arrow
 from arrangement.drawing.solids.flat_polygons import between, clip_polygon
 from arrangement.drawing.views import Corner
-from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError, refusal
 from arrangement.library.files.table import read_polygon
 from arrangement.numbers.exact import (
@@ -183,23 +182,18 @@ def _crossings(lines: Arrangement) -> tuple[dict[int, RationalVector], Floats]:
     """
     sphere = Globe(cone(lines, (Fraction(0),) * 2, Fraction(1)), ABOVE).whole
     crossings: dict[int, RationalVector] = {}
+    places = np.full((sphere.vertex_count, 2), np.nan)
     for v in range(sphere.vertex_count):
         x, y, w = sphere.ray(v)
         if w > 0:
             crossings[v] = (rational_near(quotient(x, w)), rational_near(quotient(y, w)))
-    return crossings, _boxes(sphere, crossings)
-
-
-def _boxes(sphere: SphereArrangement, crossings: dict[int, RationalVector]) -> Floats:
-    places = np.full((sphere.vertex_count, 2), np.nan)
-    for v, place in crossings.items():
-        places[v] = [float(x) for x in place]
+            places[v] = [float(x) for x in crossings[v]]
     boxes = [np.empty((0, 4))]
     for r in range(sphere.region_count if sphere.rank == 3 else 0):
         corners = places[sphere.incidence.origin[sphere.incidence.boundary(r)]]
         if not np.isnan(corners).any():  # all on the side of the plane: the region is bounded
             boxes.append(np.concatenate([corners.min(axis=0), corners.max(axis=0)])[None])
-    return np.concatenate(boxes)
+    return crossings, np.concatenate(boxes)
 
 
 def _around(points: Sequence[RationalVector]) -> tuple[RationalVector, RationalVector]:
@@ -666,7 +660,13 @@ class _WindowSheet(_Sheet):
         drawn = [label for label, ends in enumerate(self.lines) if len(ends)]
 
         def apart(one: int, other: int) -> float:
-            return _apart(self.lines[drawn[one]], self.lines[drawn[other]])
+            """Return how far ends of two lines are from the other line, at most."""
+            first, second = self.lines[drawn[one]], self.lines[drawn[other]]
+            distances = []
+            for (start, end), ends in ((first, second), (second, first)):
+                x, y = (end - start) / max(float(np.linalg.norm(end - start)), 1e-300)
+                distances += [abs(float(x * (p - start)[1] - y * (p - start)[0])) for p in ends]
+            return max(distances)
 
         seen = [chart.lines.distinct[label] for label in drawn]
         texts = names_on_paper(self.scene.legend, self.names, seen, apart, _WIDTH, chart.count)
@@ -740,7 +740,7 @@ class _DiscSheet(_Sheet):
         self.outlines, self.rim, _ = self.disc.curves(self.paint, both_ends=True)
         # What meets across the rim is one region, with the sides of both parts.
         self.regions = [region for region, _ in self.outlines]
-        self.edges = {e: self._curve(e) for e in chart.edges}
+        self.edges = {e: along(self.disc.on_paper(chart.drawn.arc(e)), 12) for e in chart.edges}
         seen = {v: chart.globe.points[v] for v in chart.vertices}
         self.vertices = {v: self.disc.on_paper(p[:2] / (1 + p[2])) for v, p in seen.items()}
         ends = {e: set(chart.incidence.origin[2 * e : 2 * e + 2].tolist()) for e in chart.edges}
@@ -768,18 +768,6 @@ class _DiscSheet(_Sheet):
             return self.disc.place(np.append(place, 1.0))
 
         self.scene.maps.append(PageMap(place=place))
-
-    def _curve(self, edge: int) -> Floats:
-        return along(self.disc.on_paper(self.chart.drawn.arc(edge)), 12)
-
-
-def _apart(one: Floats, other: Floats) -> float:
-    """Return how far ends of two segments are from the line through the other one, at most."""
-    distances = []
-    for (start, end), ends in ((one, other), (other, one)):
-        x, y = (end - start) / max(float(np.linalg.norm(end - start)), 1e-300)
-        distances += [abs(float(x * (p - start)[1] - y * (p - start)[0])) for p in ends]
-    return max(distances)
 
 
 def _along(points: Floats, share: float) -> Floats:

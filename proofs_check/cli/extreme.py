@@ -8,7 +8,7 @@ from pathlib import Path
 from arrangement.console import terminal
 from arrangement.console.writing import document_text, make_folder, write_text_atomically
 from proofs_check.instances.domains import domain
-from proofs_check.own_claims.extreme import Extreme, extremes
+from proofs_check.own_claims.extreme import extremes
 from proofs_check.reports.report import plain
 from proofs_check.reports.text import value_text
 
@@ -33,11 +33,21 @@ def run_extreme(arguments: argparse.Namespace) -> int:
         if not records and not arguments.json:
             print(f"{what} {arguments.quantity} of {arguments.of}{condition}: all classes")
             print(f"{unit:>6}  value  reached by           example")
-        records.append(_record(extreme))
+        records.append(
+            {
+                "elements": extreme.elements,
+                "value": plain(extreme.value),
+                "reached_by": extreme.reached,
+                "classes": extreme.classes,
+                "label": extreme.example.label,
+                "example": extreme.example.document,
+            }
+        )
         if not arguments.json:
             share = f"{extreme.reached:,} of {extreme.classes:,}"
             value = value_text(plain(extreme.value))
-            print(f"{extreme.elements:>6}  {value:>5}  {share:<19}  {_example(extreme)}")
+            example = "; ".join(map(str, extreme.example.subject))
+            print(f"{extreme.elements:>6}  {value:>5}  {share:<19}  {example}")
     if arguments.json:
         terminal.print_json(
             {"quantity": arguments.quantity, "of": arguments.of, "extreme": what, "values": records}
@@ -45,18 +55,3 @@ def run_extreme(arguments: argparse.Namespace) -> int:
     elif not records:
         print(f"no class of {arguments.of} obeys: {arguments.when}")
     return terminal.YES if records else terminal.NO
-
-
-def _example(extreme: Extreme) -> str:
-    return "; ".join(map(str, extreme.example.subject))
-
-
-def _record(extreme: Extreme) -> dict[str, object]:
-    return {
-        "elements": extreme.elements,
-        "value": plain(extreme.value),
-        "reached_by": extreme.reached,
-        "classes": extreme.classes,
-        "label": extreme.example.label,
-        "example": extreme.example.document,
-    }

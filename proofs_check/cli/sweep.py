@@ -83,14 +83,9 @@ def _lines(
     if not work.new:
         what = "the sweep" if parts == 1 else f"shard {part}/{parts}"
         yield f"{what} was finished already: {counted(work.due, 'chunk')} in the store, none new"
-    yield _summary(record)
-
-
-def _summary(record: dict[str, Any]) -> str:
     (result,) = record["results"]
-    lines = [f"{result['id']} ({result['locator']}): {conclusion(result)}"]
-    lines += [f"  {part}" for part in result["evidence"].split("; ")]
-    return "\n".join(lines)
+    yield f"{result['id']} ({result['locator']}): {conclusion(result)}"
+    yield from (f"  {part}" for part in result["evidence"].split("; "))
 
 
 def _status(arguments: argparse.Namespace) -> int:

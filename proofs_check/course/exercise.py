@@ -25,7 +25,6 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import ReprMixin
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import (
@@ -249,10 +248,6 @@ def _object(answer: Any) -> Mapping[str, Any]:
     return answer
 
 
-def _planes(answer: Any) -> Arrangement:
-    return read_arrangement(_object(answer))
-
-
 #: What an answer can be: how it is read, and what it looks like.
 FORMS: Mapping[str, tuple[Callable[[Any], Any], str]] = {
     "number": (lambda answer: rational(answer, "the answer"), 'such as 14 or "7/3"'),
@@ -260,7 +255,7 @@ FORMS: Mapping[str, tuple[Callable[[Any], Any], str]] = {
     "states": (_states, 'a set, such as ["+-0"] or [["slip+", "stick"]]'),
     "certificate": (_certificate, "what `equilibrium solve --certificate` writes"),
     "grasp": (lambda answer: Grasp.from_dict(_object(answer)), "a grasp file"),
-    "planes": (_planes, "an arrangement file"),
+    "planes": (lambda answer: read_arrangement(_object(answer)), "an arrangement file"),
     "link": (read_link, "what the button `copy link` of the lab gives"),
 }
 

@@ -32,7 +32,9 @@ Record = Mapping[str, Any]
 def markdown(record: Record) -> str:
     """Return the verdict table, then each claim with its tables, as Markdown."""
     title = _markdown_text(record.get("title") or "Verdicts")
-    lines = [f"# {title}", "", *_markdown_table(*_overview(record))]
+    rows = [[r["id"], r["locator"], conclusion(r), r["evidence"]] for r in record["results"]]
+    head = ["claim", "locator", "verdict", "evidence"]
+    lines = [f"# {title}", "", *_markdown_table(head, rows)]
     for result in record["results"]:
         lines += ["", f"## {_markdown_text(result['id'])}", ""]
         if is_formula(formula := result.get("formula") or ""):
@@ -41,13 +43,9 @@ def markdown(record: Record) -> str:
             lines.append(f"- {name}: {_markdown_text(text)}")
         for columns, rows in _tables(result):
             lines += ["", *_markdown_table(columns, rows)]
-        lines += _markdown_instance(result)
+        if instance := (result.get("counterexample") or {}).get("instance"):
+            lines += ["", "```json", json.dumps(instance), "```"]
     return "\n".join([*lines, "", *map(_markdown_text, _footer(record)), ""])
-
-
-def _markdown_instance(result: Record) -> list[str]:
-    instance = (result.get("counterexample") or {}).get("instance")
-    return ["", "```json", json.dumps(instance), "```"] if instance else []
 
 
 def _markdown_table(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
@@ -60,11 +58,6 @@ def _markdown_text(text: str) -> str:
     """Return text for one line of Markdown: no line breaks, no column ends, no raw HTML."""
     escaped = printable(" ".join(text.split())).replace("\\", "\\\\").replace("|", "\\|")
     return escaped.replace("<", "&lt;").replace("*", "\\*").replace("_", "\\_").replace("`", "\\`")
-
-
-def _overview(record: Record) -> tuple[list[str], list[list[str]]]:
-    rows = [[r["id"], r["locator"], conclusion(r), r["evidence"]] for r in record["results"]]
-    return ["claim", "locator", "verdict", "evidence"], rows
 
 
 def _tables(result: Record) -> list[tuple[list[str], list[list[str]]]]:

@@ -214,21 +214,15 @@ def as_expected(every: str, results: Sequence[Record]) -> str:
     return f"{every} as expected" if all(stated) else "as expected wherever that was stated"
 
 
-def _plural(words: str, number: int) -> str:
-    """Return words on one claim as words on a number of claims."""
-    return words if number == 1 else words.replace("holds", "hold")
-
-
 def counts_by_strength(results: Sequence[Record]) -> list[tuple[int, str]]:
     """Return how many results there are of each strength, the strongest first, with its words."""
     every, added = Counter(map(strength, results)), Counter[Strength | None]()
     added.update(strength(result) for result in results if added_hypotheses(result))
-    return [
-        (
-            every[worth],
-            (_plural(worth.value, every[worth]) if worth else "no verdict")
-            + (f" ({added[worth]} under a hypothesis)" if added[worth] else ""),
-        )
-        for worth in (*Strength, None)
-        if every[worth]
-    ]
+    counts = []
+    for worth in (*Strength, None):
+        if count := every[worth]:
+            words = worth.value if worth else "no verdict"
+            words = words if count == 1 else words.replace("holds", "hold")
+            under = f" ({added[worth]} under a hypothesis)" if added[worth] else ""
+            counts.append((count, words + under))
+    return counts

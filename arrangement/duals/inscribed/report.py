@@ -118,20 +118,17 @@ class DualDistances:
                 continue
             reached[face] = (crossed, before)
             if face == goal:
-                return self._trace(reached, goal)
+                path = []
+                while reached[face][0] >= 0:
+                    crossed, face = reached[face]
+                    path.append(crossed)
+                return path
             for edge, beyond in self.across[face]:
                 if edge not in closed and beyond not in reached:
                     total = distance + lengths[edge]
                     if total + least[beyond] < bound:
                         heapq.heappush(queue, (total, beyond, edge, face))
         return []
-
-    def _trace(self, reached: dict[int, tuple[int, int]], face: int) -> list[int]:
-        path = []
-        while reached[face][0] >= 0:
-            crossed, face = reached[face]
-            path.append(crossed)
-        return path
 
     def _side(self, start: int, cut: set[int]) -> Side:
         """Return the vertices that `start` reaches without crossing the cutset, or the others.

@@ -223,8 +223,20 @@ class SphereArrangement(ReprMixin):
 
     @cached_property
     def rays(self) -> Integers:
-        """The direction of each vertex; see the class."""
-        return _rays(integer_array(self.circle_normals), self.incidence)
+        """The direction of each vertex: the first circle of a line turns into the second."""
+        normals, incidence = integer_array(self.circle_normals), self.incidence
+        lines = incidence.vertex_count // 2
+        rays = np.empty((2 * lines, 3), normals.dtype)
+        for part in budget.chunks(lines, CHUNK):
+            first = incidence.line_offsets[part]
+            left, right = (
+                normals[incidence.slot_circle[incidence.line_slots[first + place]]]
+                for place in (0, 1)
+            )
+            rays[part] = np.cross(left, right)
+        np.negative(rays[:lines], out=rays[lines:])
+        rays.flags.writeable = False
+        return rays
 
     @cached_property
     def plane_circle(self) -> Indices:
@@ -337,21 +349,6 @@ def sphere_arrangement(arrangement: Planes) -> SphereArrangement:
     normals = integer_array(circle_normals)
     crossings = sort_crossings(normals)
     return SphereArrangement(arrangement, build_incidence(crossings), crossings, circle_normals)
-
-
-def _rays(normals: Integers, incidence: Incidence) -> Integers:
-    """Return a direction for each vertex: the first circle of a line turns into the second."""
-    lines = incidence.vertex_count // 2
-    rays = np.empty((2 * lines, 3), normals.dtype)
-    for part in budget.chunks(lines, CHUNK):
-        first = incidence.line_offsets[part]
-        left, right = (
-            normals[incidence.slot_circle[incidence.line_slots[first + place]]] for place in (0, 1)
-        )
-        rays[part] = np.cross(left, right)
-    np.negative(rays[:lines], out=rays[lines:])
-    rays.flags.writeable = False
-    return rays
 
 
 def _sum(vectors: Iterable[IntegerVector]) -> IntegerVector:
