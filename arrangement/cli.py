@@ -127,16 +127,17 @@ def _parser() -> Parser:
         draw, _later("pictures.views").DRAWINGS
     )
 
+    library = _later("library.commands")
     text = "list built-in arrangements, families, classes, or a file's arrangements"
-    names = add("list", _list, text, "done", "the verified program counts otherwise", file="?")
-    _later("library.commands").add_list_options(names)
+    wrong = "the verified program counts otherwise"
+    library.add_list_options(add("list", library.list_known, text, "done", wrong, file="?"))
     text = "make a member of a family, such as shi --type E6"
-    make = add("make", _make, text, file=None, heading="more")
-    make.lazy_options = lambda: _later("library.commands").add_families(make)
+    make = add("make", library.make, text, file=None, heading="more")
+    make.lazy_options = lambda: library.add_families(make)
     text = "convert between the formats of other programs"
-    convert = add("convert", _convert, text, heading="more")
+    convert = add("convert", library.convert, text, heading="more")
     convert.strays[r"[^-].*\.\w+"] = "-o PATH"
-    _later("library.commands").add_convert_options(convert)
+    library.add_convert_options(convert)
     text = "write a page in which lines and great circles are dragged and counted"
     page = add("lab", _lab, text, file="?", heading="more")
     page.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
@@ -258,19 +259,15 @@ def _count_pieces(lines: Arrangement, arguments: argparse.Namespace) -> int:
 
 def _count_segments(segments: Segments, arguments: argparse.Namespace) -> int:
     """Print what the union of segments has, and what it leaves of the plane."""
-    _refuse_options(arguments, "forecast", "inside", "primes", "store", "time_limit", "verified")
+    for name in ("forecast", "inside", "primes", "store", "time_limit", "verified"):
+        if getattr(arguments, name):
+            flag = name.replace("_", "-")
+            raise InputError(f"--{flag} is for arrangements, and the file holds segments; omit it")
     pieces = segments.pieces()
     if arguments.json:
         terminal.print_json({"segments": len(segments), **pieces._asdict()})
         return terminal.YES
     return _print_rows({"segments": len(segments), **dict(_piece_rows(pieces))})
-
-
-def _refuse_options(arguments: argparse.Namespace, *names: str) -> None:
-    for name in names:
-        if getattr(arguments, name):
-            flag = name.replace("_", "-")
-            raise InputError(f"--{flag} is for arrangements, and the file holds segments; omit it")
 
 
 def _piece_rows(pieces: Pieces, cells: bool = True) -> list[tuple[str, int]]:
@@ -513,36 +510,6 @@ def _lab(arguments: argparse.Namespace) -> int:
     if arguments.json:
         terminal.print_json({"output": arguments.output})
     return terminal.YES
-
-
-def _make(arguments: argparse.Namespace) -> int:
-    from .console.writing import write_or_print
-    from .library.commands import document
-
-    write_or_print(arguments.output, document(arguments))
-    return terminal.YES
-
-
-def _list(arguments: argparse.Namespace) -> int:
-    from .library import commands
-
-    if (arguments.file is not None) + arguments.families + (arguments.classes is not None) > 1:
-        raise InputError("FILE, --families and --classes list different things; give one")
-    if arguments.verified and arguments.classes is None:
-        raise InputError("--verified counts the regions of all classes; give --classes M")
-    if arguments.file is not None:
-        return commands.list_file(arguments)
-    if arguments.classes is not None:
-        return commands.list_classes(arguments)
-    if arguments.families:
-        return terminal.print_names(commands.family_descriptions(), arguments.json)
-    return terminal.print_names(json_files.descriptions("planes"), arguments.json)
-
-
-def _convert(arguments: argparse.Namespace) -> int:
-    from .library.commands import convert
-
-    return convert(arguments)
 
 
 if __name__ == "__main__":

@@ -17,6 +17,7 @@ from arrangement.console.options.signature import USUAL_SYNTAX, Option, options_
 from arrangement.console.progress import note, watched
 from arrangement.console.writing import document_text, write_or_print
 from arrangement.errors import InputError
+from arrangement.library.files.json_files import descriptions
 
 if TYPE_CHECKING:
     from arrangement.arrangement import Arrangement
@@ -52,14 +53,15 @@ def add_families(parser: argparse.ArgumentParser) -> None:
         family.add_argument("-o", "--output", metavar="PATH", help="a file (default: print it)")
 
 
-def document(arguments: argparse.Namespace) -> str:
-    """Return the member that the options ask for, in file form with one plane a line."""
+def make(arguments: argparse.Namespace) -> int:
+    """Write the member that the options ask for, in file form with one plane a line."""
     family = _families()[arguments.family]
     members = {name: getattr(arguments, name) for name in options_of(family)}
     given = ", ".join(f"{key} = {value}" for key, value in members.items())
     made = family(**members).to_dict()
     made["description"] = f"{arguments.family}, {given}" if given else arguments.family
-    return document_text(made)
+    write_or_print(arguments.output, document_text(made))
+    return terminal.YES
 
 
 def _families() -> Mapping[str, Callable[..., Arrangement]]:
@@ -101,6 +103,21 @@ def add_list_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--from", dest="source", metavar="FORMAT", help="of FILE (default: seen from the text)"
     )
+
+
+def list_known(arguments: argparse.Namespace) -> int:
+    """List built-in arrangements, families, isomorphism classes, or those of a file."""
+    if (arguments.file is not None) + arguments.families + (arguments.classes is not None) > 1:
+        raise InputError("FILE, --families and --classes list different things; give one")
+    if arguments.verified and arguments.classes is None:
+        raise InputError("--verified counts the regions of all classes; give --classes M")
+    if arguments.file is not None:
+        return list_file(arguments)
+    if arguments.classes is not None:
+        return list_classes(arguments)
+    if arguments.families:
+        return terminal.print_names(family_descriptions(), arguments.json)
+    return terminal.print_names(descriptions("planes"), arguments.json)
 
 
 def list_classes(arguments: argparse.Namespace) -> int:
