@@ -640,16 +640,14 @@ def grasp_model(
     points, faces, _ = solid.body
     closed = bool(faces) and not any(open_edges(faces))
     parts = [_part("body", [(points, faces)], _BODY, half)] if closed else []
-    for i, apex, rim in solid.cones:
-        if len(rim) > 1:
-            k = len(rim)
-            sides = [(0, 1 + (j + 1) % k, 1 + j) for j in range(k)]
-            cone = np.vstack([apex, rim]), [*sides, tuple(range(1, k + 1))]
-            parts.append(_part(f"cone-{i}", [cone], CONE_FILL, half))
-    solids: dict[str, list[Any]] = {}
+    solids: dict[str, list[Floats]] = {
+        f"cone-{i}": [np.vstack([apex, rim])] for i, apex, rim in solid.cones if len(rim) > 1
+    }
     for arrow in solid.arrows():
         solids.setdefault(arrow.name, []).extend(_solids(arrow))
-    parts += [_part(name, s, INKS[name.partition("-")[0]], half) for name, s in solids.items()]
+    for name, hulls in solids.items():
+        colour = INKS.get(name.partition("-")[0], CONE_FILL)
+        parts.append(_part(name, map(convex_hull, hulls), colour, half))
     if not parts:
         raise InputError("the grasp has no contacts and no body, so there is no model of it")
     return model_bytes(parts, suffix, f"a grasp in space, {grasp.size_words}")
@@ -669,16 +667,11 @@ def _part(
     return ClosedSurface(name, half * np.concatenate(points), tuple(faces), (colour,) * len(faces))
 
 
-def _solids(arrow: Arrow) -> list[tuple[Floats, list[tuple[int, ...]]]]:
-    """Return the shaft of an arrow as a prism, and its head as a pyramid."""
+def _solids(arrow: Arrow) -> list[Floats]:
+    """Return the corners of the shaft of an arrow, a prism, and of its head, a pyramid."""
     tip, ring = head_of(arrow)
-    k, neck = len(ring), ring.mean(axis=0)
+    neck = ring.mean(axis=0)
     thin = (ring - neck) * (_SHAFT / float(np.linalg.norm(ring[0] - neck)))
     end = arrow.end if arrow.headless else neck
-    base, top = tuple(range(k - 1, -1, -1)), tuple(range(k, 2 * k))
-    sides = [(j, (j + 1) % k, k + (j + 1) % k, k + j) for j in range(k)]
-    solids = [(np.vstack([arrow.start + thin, end + thin]), [base, top, *sides])]
-    if not arrow.headless:
-        slopes = [(0, 1 + j, 1 + (j + 1) % k) for j in range(k)]
-        solids.append((np.vstack([tip, ring]), [*slopes, tuple(range(k, 0, -1))]))
-    return solids
+    shaft = np.vstack([arrow.start + thin, end + thin])
+    return [shaft] if arrow.headless else [shaft, np.vstack([tip, ring])]
