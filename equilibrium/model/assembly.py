@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
@@ -27,7 +27,7 @@ from arrangement.numbers.exact import RationalVector, rational, rational_vector,
 
 from .contact import VALUES, Contact, contact_of
 from .errors import GraspError
-from .grasp import Grasp, ask_contacts, chosen_contacts, wrench_of
+from .grasp import ContactValuesMixin, Grasp, ask_contacts, wrench_of
 from .labels import DataError, Units
 from .outline import Outline, centroid, coordinates, read_outline
 from .rows import TURNS, ContactRow, ContactRows
@@ -205,7 +205,7 @@ class BodyContact:
 
 
 @dataclass(frozen=True)
-class Assembly(HintsMixin):
+class Assembly(HintsMixin, ContactValuesMixin):
     """Finitely many rigid bodies in the plane, and the contacts among them and with the ground.
 
     Args:
@@ -351,46 +351,9 @@ class Assembly(HintsMixin):
             grasp.data_error,
         )
 
-    @property
-    def contact_numbers(self) -> range:
-        """The numbers of the contacts, from 1."""
-        return range(1, len(self.contacts) + 1)
-
-    def points_of(self, numbers: Iterable[int]) -> frozenset[int]:
-        """Return the places in `contacts` of contacts by their numbers, from 1.
-
-        Raises:
-            GraspError: no such contact.
-        """
-        return frozenset(k - 1 for k in chosen_contacts(numbers, len(self.contacts)))
-
-    def with_preload(self, preload: Any, contacts: Iterable[int] | None = None) -> Assembly:
-        """Return the same assembly with one preload at every contact.
-
-        Args:
-            contacts: numbers, from 1, of those that get it; the others keep their own.
-        """
-        return self._with_each(contacts, preload=preload)
-
-    def with_friction(self, friction: Any, contacts: Iterable[int] | None = None) -> Assembly:
-        """Return the same assembly with one friction coefficient at every contact.
-
-        Args:
-            contacts: numbers, from 1, of those that get it; the others keep their own.
-        """
-        return self._with_each(contacts, friction=friction)
-
-    def with_adhesion(self, adhesion: Any) -> Assembly:
-        """Return the same assembly with one adhesion at every contact."""
-        return self._with_each(None, adhesion=adhesion)
-
-    def _with_each(self, contacts: Iterable[int] | None, **values: Any) -> Assembly:
-        chosen = self.points_of(self.contact_numbers if contacts is None else contacts)
-        changed = [
-            replace(c, contact=replace(c.contact, **values)) if i in chosen else c
-            for i, c in enumerate(self.contacts)
-        ]
-        return replace(self, contacts=tuple(changed))
+    @staticmethod
+    def _changed(entry: BodyContact, change: Callable[[Contact], Contact]) -> BodyContact:
+        return replace(entry, contact=change(entry.contact))
 
     def to_dict(self, wrenches: Any = None) -> dict[str, Any]:
         """Return the file form, with wrenches on the bodies if given; every number is a string."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 # Its facade is loaded when a grasp is asked for its planes; the checker never does.
 import arrangement
@@ -55,9 +55,77 @@ def ask_contacts(count: int) -> None:
     budget.check_cost(f"{count:,} contacts", "leave out contacts", steps=5000 * count)
 
 
+class ContactValuesMixin:
+    """Contacts by their numbers, and copies with other values of some of them."""
+
+    contacts: tuple[Any, ...]
+
+    @property
+    def groups(self) -> tuple[range, ...]:
+        """Where the points of each contact are among `contacts`: one, of a pad several."""
+        return tuple(range(i, i + 1) for i in range(len(self.contacts)))
+
+    @property
+    def contact_numbers(self) -> range:
+        """The numbers of the contacts, from 1; a pad has one."""
+        return range(1, len(self.groups) + 1)
+
+    def points_of(self, numbers: Iterable[int]) -> frozenset[int]:
+        """Return the places in `contacts` of the points of contacts by their numbers, from 1.
+
+        Raises:
+            GraspError: no such contact.
+        """
+        chosen = chosen_contacts(numbers, len(self.groups))
+        return frozenset(i for k in chosen for i in self.groups[k - 1])
+
+    def with_preload(self, preload: Any, contacts: Iterable[int] | None = None) -> Self:
+        """Return the same bodies with one preload at every contact, which a pad shares out.
+
+        Args:
+            contacts: numbers, from 1, of those that get it; the others keep their own.
+
+        Raises:
+            GraspError: no such contact.
+        """
+        return self._with_each("preload", preload, contacts)
+
+    def with_friction(self, friction: Any, contacts: Iterable[int] | None = None) -> Self:
+        """Return the same bodies with one friction coefficient at every contact.
+
+        Args:
+            contacts: numbers, from 1, of those that get it; the others keep their own.
+
+        Raises:
+            GraspError: no such contact.
+        """
+        return self._with_each("friction", friction, contacts)
+
+    def with_adhesion(self, adhesion: Any) -> Self:
+        """Return the same bodies with one adhesion at every contact, which a pad shares out."""
+        return self._with_each("adhesion", adhesion)
+
+    def _with_each(self, name: str, value: Any, contacts: Iterable[int] | None = None) -> Self:
+        whole = rational(value, name)
+        chosen = self.points_of(self.contact_numbers if contacts is None else contacts)
+
+        def changed(point: Contact) -> Contact:
+            own: dict[str, Any] = {name: whole if name == "friction" else point.share * whole}
+            return replace(point, **own)
+
+        pairs = enumerate(self.contacts)
+        entries = tuple(self._changed(c, changed) if i in chosen else c for i, c in pairs)
+        return replace(self, contacts=entries)  # type: ignore[type-var]
+
+    @staticmethod
+    def _changed(entry: Any, change: Callable[[Contact], Contact]) -> Any:
+        """Return an entry of `contacts` with its contact changed."""
+        return change(entry)
+
+
 @hints_on_assignment
 @dataclass(frozen=True)
-class Grasp(HintsMixin, DrawableGrasp):
+class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
     """Finitely many contacts on one rigid object, all in the plane or all in space.
 
     None is allowed too, and is a grasp in the plane.
@@ -194,20 +262,6 @@ class Grasp(HintsMixin, DrawableGrasp):
             for j in range(1, len(group) + 1)
         )
 
-    @property
-    def contact_numbers(self) -> range:
-        """The numbers of the contacts, from 1; a pad has one."""
-        return range(1, len(self.groups) + 1)
-
-    def points_of(self, numbers: Iterable[int]) -> frozenset[int]:
-        """Return the places in `contacts` of the points of contacts by their numbers, from 1.
-
-        Raises:
-            GraspError: no such contact.
-        """
-        chosen = chosen_contacts(numbers, len(self.groups))
-        return frozenset(i for k in chosen for i in self.groups[k - 1])
-
     def joined(self) -> Grasp:
         """Return the grasp with each pad as one contact in its middle."""
         if not self.has_pads:
@@ -313,46 +367,6 @@ class Grasp(HintsMixin, DrawableGrasp):
             dimension=3,
             axes=MOTIONS,
         )
-
-    def with_preload(self, preload: Any, contacts: Iterable[int] | None = None) -> Grasp:
-        """Return the same grasp with one preload at every contact, which a pad shares out.
-
-        Args:
-            contacts: numbers, from 1, of those that get it; the others keep their own.
-
-        Raises:
-            GraspError: no such contact.
-        """
-        return self._with_each("preload", preload, contacts)
-
-    def with_friction(self, friction: Any, contacts: Iterable[int] | None = None) -> Grasp:
-        """Return the same grasp with one friction coefficient at every contact.
-
-        Args:
-            contacts: numbers, from 1, of those that get it; the others keep their own.
-
-        Raises:
-            GraspError: no such contact.
-        """
-        chosen = self.points_of(self.contact_numbers if contacts is None else contacts)
-        changed = (replace(c, friction=friction) if i in chosen else c for i, c in enumerate(self))
-        return replace(self, contacts=tuple(changed))
-
-    def with_adhesion(self, adhesion: Any) -> Grasp:
-        """Return the same grasp with one adhesion at every contact, which a pad shares out."""
-        return self._with_each("adhesion", adhesion)
-
-    def _with_each(self, name: str, value: Any, contacts: Iterable[int] | None = None) -> Grasp:
-        """Return the same grasp with one value at chosen contacts, of which points get shares."""
-        whole = rational(value, name)
-        chosen = self.points_of(self.contact_numbers if contacts is None else contacts)
-
-        def changed(c: Contact) -> Contact:
-            values: dict[str, Any] = {name: c.share * whole}
-            return replace(c, **values)
-
-        pairs = enumerate(self)
-        return replace(self, contacts=tuple(changed(c) if i in chosen else c for i, c in pairs))
 
     def with_units(self, length: str, force: str) -> Grasp:
         """Return the same grasp with its units stated; no number changes."""
