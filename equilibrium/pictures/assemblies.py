@@ -8,8 +8,9 @@ import numpy as np
 
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.scene import Floats, Legend, Scene
+from arrangement.drawing.solids.flat_polygons import ordered
 from arrangement.drawing.views import picture
-from arrangement.numbers.exact import RationalVector, sign
+from arrangement.numbers.exact import RationalVector, primitive, sign
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.assembly import Assembly
@@ -140,21 +141,11 @@ def _ground(assembly: Assembly, frame: Frame, points: list[RationalVector]) -> l
 
 def _hull(points: list[RationalVector]) -> Polygon | None:
     """Return the convex hull of points in the plane; None if they lie in a line."""
-    points = sorted(set(points))
-    sides: list[RationalVector] = []
-    for order in (points, points[::-1]):
-        side: list[RationalVector] = []
-        for point in order:
-            while len(side) > 1 and _turn(side[-2], side[-1], point) <= 0:
-                side.pop()
-            side.append(point)
-        sides += side[:-1]
-    return Polygon(sides) if len(sides) > 2 else None
-
-
-def _turn(p: RationalVector, q: RationalVector, r: RationalVector) -> Fraction:
-    """Return above 0 where the way from p over q to r turns left."""
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+    in_space = (primitive((*p, Fraction(0), Fraction(1))) for p in points)
+    corners = ordered((0, 0, 1, 0), in_space)
+    if len(corners) < 3:
+        return None
+    return Polygon((Fraction(x, w), Fraction(y, w)) for x, y, _, w in corners)
 
 
 def _mean(points: list[RationalVector]) -> RationalVector:

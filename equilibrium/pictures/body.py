@@ -64,10 +64,15 @@ def frame_around(points: Sequence[RationalVector], dimension: int = 2) -> Frame:
     """Return the frame in which points fill [-1, 1] in the longer direction."""
     if not points:
         return Frame((Fraction(0),) * dimension, Fraction(1))
+    centre, half = middle_of(points)
+    return Frame(centre, half or Fraction(1))
+
+
+def middle_of(points: Sequence[RationalVector]) -> tuple[RationalVector, Fraction]:
+    """Return the middle of the box around points, and half of its longest side."""
     lows, highs = ([end(column) for column in zip(*points, strict=True)] for end in (min, max))
     half = max(high - low for low, high in zip(lows, highs, strict=True)) / 2
-    centre = tuple((low + high) / 2 for low, high in zip(lows, highs, strict=True))
-    return Frame(centre, half or Fraction(1))
+    return tuple((low + high) / 2 for low, high in zip(lows, highs, strict=True)), half
 
 
 def stated_body(outline: Outline, frame: Frame) -> Floats:

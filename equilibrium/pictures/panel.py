@@ -23,7 +23,7 @@ from equilibrium.model.labels import AS_ROUNDED
 from equilibrium.plane.states.contact_states import States
 from equilibrium.wrench_sets import Region, Segment, polygon_cycle
 
-from .body import Frame
+from .body import Frame, middle_of
 from .style import FILLS, MARKS, SHADE, SYMBOLS, Wrench, nearest_float, symbol, ticks
 
 ZERO: RationalVector = (Fraction(0), Fraction(0))
@@ -98,8 +98,7 @@ def joint_window(
     if pieces:
         reach = max(reach, 3 * median([*map(_size, inner), Fraction(0)]))
         needed += [p for p in inner if _size(p) <= reach]
-    lows, highs = _box(needed)
-    finite = max(high - low for low, high in zip(lows, highs, strict=True)) / 2
+    _, finite = middle_of(needed)
     spread = finite or Fraction(1)
     if not finite and all(shape.dimension < 2 for shape in shapes):
         return Window(ZERO, spread)
@@ -110,10 +109,8 @@ def joint_window(
             step = spread * share / max(map(abs, ray))
             held = (p for p in shape.points if _size(p) <= reach)
             needed += [(p[0] + step * ray[0], p[1] + step * ray[1]) for p in held]
-    lows, highs = _box(needed)
-    spread = max(high - low for low, high in zip(lows, highs, strict=True)) / 2
-    centre = tuple((low + high) / 2 for low, high in zip(lows, highs, strict=True))
-    return Window(centre, spread * (1 + ROOM) or Fraction(1))
+    centre, half = middle_of(needed)
+    return Window(centre, half * (1 + ROOM) or Fraction(1))
 
 
 def ends(region: Region) -> Iterator[RationalVector]:
@@ -125,11 +122,6 @@ def ends(region: Region) -> Iterator[RationalVector]:
 
 def _size(point: RationalVector) -> Fraction:
     return max(map(abs, point))
-
-
-def _box(points: Sequence[RationalVector]) -> tuple[list[Fraction], list[Fraction]]:
-    lows = [min(p[k] for p in points) for k in (0, 1)]
-    return lows, [max(p[k] for p in points) for k in (0, 1)]
 
 
 def clipped(polygon: Floats, normal: Floats, least: float) -> Floats:
