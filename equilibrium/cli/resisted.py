@@ -129,7 +129,7 @@ def _values(arguments: argparse.Namespace) -> Answer:
     from equilibrium.grasps.inputs.parameter import read_parametric, read_range
     from equilibrium.wrench_sets.parameter import TOLERANCE, resisted_values
     from equilibrium.wrench_sets.sufficient_friction import sufficient_friction
-    from equilibrium.wrench_sets.text import friction_answer, values_answer
+    from equilibrium.wrench_sets.text import answer_of
 
     if None not in (arguments.parameter, arguments.friction):
         raise GraspError(f"{PARAMETER} and {FRICTION} are two questions; give one of them")
@@ -143,10 +143,10 @@ def _values(arguments: argparse.Namespace) -> Answer:
     load = arguments.on or force_given(arguments) or arguments.wrench
     if arguments.friction is not None:
         chosen = arguments.friction
-        return friction_answer(sufficient_friction(arguments.grasp, chosen, load, tolerance))
+        return answer_of(sufficient_friction(arguments.grasp, chosen, load, tolerance))
     letter, low, high = read_range(arguments.parameter)
     family = read_parametric(arguments.grasp, letter, load)
-    return values_answer(resisted_values(family, low, high, tolerance=tolerance))
+    return answer_of(resisted_values(family, low, high, tolerance=tolerance))
 
 
 def _form(arguments: argparse.Namespace) -> str:
@@ -178,18 +178,18 @@ def _answer(arguments: argparse.Namespace, grasp: Grasp, form: str) -> Answer:
         return _margin(arguments, grasp, resisted)
     if form == BEST:
         load = _with_base(arguments, grasp) if has_load(arguments) else base or (0, 0, 0)
-        return text.direction_answer(resisted.best_direction(load, arguments.best_direction), grasp)
+        return text.answer_of(resisted.best_direction(load, arguments.best_direction), grasp)
     if form == "--smallest":
         length = 1 if arguments.torque_length is None else arguments.torque_length
-        return text.smallest_answer(resisted.smallest_outside(base, length), grasp)
+        return text.answer_of(resisted.smallest_outside(base, length), grasp)
     if form == "--slice":
         u, v = arguments.slice
-        return text.region_answer(resisted.slice(u, v, arguments.origin or 0))
+        return text.answer_of(resisted.slice(u, v, arguments.origin or 0))
     if form == "--search":
         chosen = {name: getattr(arguments, name) for name in ("rays", "tolerance", "max_magnitude")}
         options = {name: value for name, value in chosen.items() if value is not None}
-        return text.search_answer(resisted.search(**options), grasp)
-    return text.set_answer(resisted)
+        return text.answer_of(resisted.search(**options), grasp)
+    return text.answer_of(resisted)
 
 
 def _of_assembly(arguments: argparse.Namespace, bodies: Bodies) -> Answer:

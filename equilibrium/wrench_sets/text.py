@@ -255,12 +255,7 @@ def _or_undecided(
     return answer.to_dict(), text(answer)
 
 
-def smallest_answer(smallest: SmallestUnresisted, grasp: Grasp) -> Answer:
-    """Return the size below which every wrench is resisted, and a wrench that is not."""
-    return Answer(smallest.to_dict(), _smallest_lines(smallest, grasp), smallest.size_squared != 0)
-
-
-def _smallest_lines(smallest: SmallestUnresisted, grasp: Grasp) -> Iterator[str]:
+def _smallest_lines(smallest: SmallestUnresisted, unit: str) -> Iterator[str]:
     load = "with the base, " if any(smallest.base) else ""
     if smallest.size is None or smallest.wrench is None or smallest.beyond is None:
         yield f"{load}every wrench is resisted, whichever way it points and however large it is"
@@ -269,18 +264,13 @@ def _smallest_lines(smallest: SmallestUnresisted, grasp: Grasp) -> Iterator[str]
         exact = smallest.size**2 == smallest.size_squared
         size = number(smallest.size) if exact else number_text(smallest.size, longest=0)
         squared = "" if exact else f" (its square is {number(smallest.size_squared)})"
-        yield f"{load}every wrench smaller than {size}{_force(grasp)}{squared} is resisted"
+        yield f"{load}every wrench smaller than {size}{unit}{squared} is resisted"
         length = f"length {number(smallest.length)} (--torque-length)"
         yield f"  where size^2 = f_x^2 + f_y^2 + (tau / length)^2, {length}"
         yield f"on the boundary: {vector(smallest.wrench)}"
     else:
         yield f"{load}no size is resisted in every direction"
     yield f"not resisted: {vector(smallest.beyond)}"
-
-
-def direction_answer(best: BestDirection, grasp: Grasp) -> Answer:
-    """Return the least force that moves an object, and the least one that holds it."""
-    return Answer(best.to_dict(), _direction_lines(best, _force(grasp)), best.moving is not None)
 
 
 def _direction_lines(best: BestDirection, unit: str) -> Iterator[str]:
@@ -308,12 +298,7 @@ def _size_text(force: RationalVector, unit: str) -> str:
     return f"{words}{unit} at {angle(force):.4g} degrees from the x axis: {vector(force)}"
 
 
-def region_answer(region: Region) -> Answer:
-    """Return the polygons of a slice."""
-    return Answer(region.to_dict(), _region_lines(region), bool(region.polygons))
-
-
-def _region_lines(region: Region) -> Iterator[str]:
+def _region_lines(region: Region, _: str) -> Iterator[str]:
     many = counted(len(region.polygons), "polygon")
     yield f"{many} (corners counter-clockwise; then rays, lines)"
     for piece in region.polygons:
@@ -331,25 +316,13 @@ def _region_lines(region: Region) -> Iterator[str]:
         yield f"unbounded: {'all directions' if sector.whole else ends}"
 
 
-def set_answer(whole: ResistedSet) -> Answer:
-    """Return the polyhedra of the whole set."""
-    return Answer(whole.to_dict(), _set_lines(whole), bool(whole.polyhedra))
-
-
-def _set_lines(whole: ResistedSet) -> Iterator[str]:
+def _set_lines(whole: ResistedSet, _: str) -> Iterator[str]:
     many = counted(len(whole.polyhedra), "polyhedron", "polyhedra")
     yield f"{many} (conditions a f_x + b f_y + c tau + d >= 0 or = 0)"
     for piece in whole.polyhedra:
         yield f"  {' '.join(piece.states)}"
         yield from (f"    {vector(row)} >= 0" for row in piece.polyhedron.inequalities)
         yield from (f"    {vector(row)} = 0" for row in piece.polyhedron.equalities)
-
-
-def search_answer(searched: SearchMap, grasp: Grasp) -> Answer:
-    """Return what a search in many directions finds, beside the exact answers."""
-    return Answer(
-        searched.to_dict(), _search_lines(searched, _force(grasp)), not searched.disagreements
-    )
 
 
 def _search_lines(searched: SearchMap, unit: str) -> Iterator[str]:
@@ -365,27 +338,15 @@ def _search_lines(searched: SearchMap, unit: str) -> Iterator[str]:
         yield f"  ({shown})  {answer}{wrong}"
 
 
-def values_answer(answer: ResistedValues) -> Answer:
-    """Return the intervals of a parameter with proofs, and what is between them."""
-    yes = True if answer.resisted else None if answer.gaps else False
-    return Answer(answer.to_dict(), _values_lines(answer), yes)
-
-
-def friction_answer(answer: SufficientFriction) -> Answer:
-    """Return the least friction of some contacts, and the proofs on both sides."""
-    yes = True if answer.high is not None else False if answer.impossible else None
-    return Answer(answer.to_dict(), _friction_lines(answer), yes)
-
-
-def _friction_lines(answer: SufficientFriction) -> Iterator[str]:
+def _friction_lines(answer: SufficientFriction, unit: str) -> Iterator[str]:
     least = _friction(answer.low, answer.high)
     yield f"least friction of {listed_contacts(answer.contacts)}: {least}"
     if answer.from_1 is not None:
         yield "no friction up to 1 is proved to be enough; above 1 it is 1/f with f below 1:"
-    yield from _values_lines(answer.values)
+    yield from _values_lines(answer.values, unit)
 
 
-def _values_lines(answer: ResistedValues) -> Iterator[str]:
+def _values_lines(answer: ResistedValues, _: str) -> Iterator[str]:
     for verdict, spans in (("resisted", answer.resisted), ("not resisted", answer.not_resisted)):
         for span in spans:
             yield f"{verdict} for {_span_text(answer, span)}"
@@ -407,6 +368,32 @@ def _values_lines(answer: ResistedValues) -> Iterator[str]:
         yield f"degrees are rounded; certificates are about tan({answer.family.letter}/2)"
     proofs = counted(len(answer.pieces), "certificate")
     yield f"{proofs}, each for all values of an interval; --json has them for `equilibrium verify`"
+
+
+#: How the lines of a result are written, with the unit of forces, and whether it says yes.
+_FORMS: dict[type, tuple[Callable[[Any, str], Iterable[str]], Callable[[Any], bool | None]]] = {
+    SmallestUnresisted: (_smallest_lines, lambda x: x.size_squared != 0),
+    BestDirection: (_direction_lines, lambda x: x.moving is not None),
+    Region: (_region_lines, lambda x: bool(x.polygons)),
+    ResistedSet: (_set_lines, lambda x: bool(x.polyhedra)),
+    SearchMap: (_search_lines, lambda x: not x.disagreements),
+    ResistedValues: (_values_lines, lambda x: bool(x.resisted) or (None if x.gaps else False)),
+    SufficientFriction: (
+        _friction_lines,
+        lambda x: x.high is not None or (False if x.impossible else None),
+    ),
+}
+
+
+def answer_of(result: Any, subject: Grasp | None = None) -> Answer:
+    """Return a result that stands for itself: its document, its lines and whether it says yes.
+
+    Args:
+        subject: whose unit of forces is written.
+    """
+    lines, says_yes = _FORMS[type(result)]
+    unit = "" if subject is None else _force(subject)
+    return Answer(result.to_dict(), lines(result, unit), says_yes(result))
 
 
 def _span_text(answer: ResistedValues, span: Span) -> str:
