@@ -530,6 +530,17 @@ def simplest_between(low: Fraction, high: Fraction) -> Fraction:
     return floor + 1 / simplest_between(1 / (high - floor), 1 / (low - floor))
 
 
+def exact_root(square: Fraction | int) -> Fraction | None:
+    """Return the square root of a number, at least 0, where it is rational; else None.
+
+    >>> exact_root(Fraction(4, 9)), exact_root(2)
+    (Fraction(2, 3), None)
+    """
+    top, bottom = math.isqrt(square.numerator), math.isqrt(square.denominator)
+    is_exact = (top * top, bottom * bottom) == (square.numerator, square.denominator)
+    return Fraction(top, bottom) if is_exact else None
+
+
 def sign(value: Fraction | int) -> int:
     """Return -1, 0 or 1."""
     return (value > 0) - (value < 0)

@@ -29,6 +29,7 @@ from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
     common_divisor,
+    exact_root,
     quotient,
     rational_vector,
     shown,
@@ -350,9 +351,7 @@ def checked_ends(given: RationalVector, ends: RationalVector) -> tuple[Fraction,
     polynomial = None
     if n == 2:
         square = (given[1] ** 2 - 4 * given[0] * given[2]) / given[2] ** 2
-        irreducible = square < 0 or any(
-            math.isqrt(x) ** 2 != x for x in (square.numerator, square.denominator)
-        )
+        irreducible = square < 0 or exact_root(square) is None
     else:
         polynomial = to_polynomial(given)
         irreducible = polynomial.is_irreducible

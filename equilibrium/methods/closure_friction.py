@@ -17,7 +17,14 @@ import numpy as np
 
 from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
-from arrangement.numbers.exact import RationalVector, dot, rational, shown, simplest_between
+from arrangement.numbers.exact import (
+    RationalVector,
+    dot,
+    exact_root,
+    rational,
+    shown,
+    simplest_between,
+)
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from equilibrium.certificate.law import closure_problem, escape_problem
@@ -159,9 +166,8 @@ def _asked(
 
 def _root(square: Fraction, fine: Fraction) -> Fraction:
     """Return a root, exact where it is rational, else rounded down by at most a small number."""
-    top, bottom = isqrt(square.numerator), isqrt(square.denominator)
-    if (top * top, bottom * bottom) == square.as_integer_ratio():
-        return Fraction(top, bottom)
+    if (exact := exact_root(square)) is not None:
+        return exact
     unit = -(-2 // fine)
     return Fraction(isqrt(square.numerator * unit**2 // square.denominator), unit)
 

@@ -28,6 +28,7 @@ from arrangement.numbers import budget
 from arrangement.numbers.exact import (
     RationalVector,
     dot,
+    exact_root,
     number_text,
     rational,
     shown,
@@ -406,8 +407,8 @@ def radius_squared(points: Sequence[Contact]) -> Fraction:
 def radius_text(points: Sequence[Contact]) -> str:
     """Return the radius of a pad, exactly where it is rational."""
     square = radius_squared(points)
-    root = Fraction(math.isqrt(square.numerator), math.isqrt(square.denominator))
-    return number_text(root) if root**2 == square else f"{math.sqrt(square):.6g}"
+    root = exact_root(square)
+    return f"{math.sqrt(square):.6g}" if root is None else number_text(root)
 
 
 def contact_words(points: Sequence[Contact]) -> str:

@@ -20,7 +20,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import check_keys, check_list
-from arrangement.numbers.exact import rational, shown, to_text
+from arrangement.numbers.exact import exact_root, rational, shown, to_text
 from arrangement.numbers.expressions import Expression, read_expression
 from arrangement.numbers.functions import Domain, Function, Span, Undecided, square_root
 
@@ -273,9 +273,7 @@ class ParametricQuestion:
             if isinstance(square, Function):
                 length = square_root(square)
             elif square:
-                square = Fraction(square)
-                roots = math.isqrt(square.numerator), math.isqrt(square.denominator)
-                length = Fraction(*roots) if Fraction(*roots) ** 2 == square else None
+                length = exact_root(square)
             else:
                 raise ZeroDivisionError
         except (ZeroDivisionError, Undecided):

@@ -17,6 +17,7 @@ from arrangement.console.number_form import table
 from arrangement.numbers.exact import (
     RationalVector,
     dot,
+    exact_root,
     from_float,
     rational_vector,
     shown,
@@ -122,12 +123,8 @@ def angle_error(wanted: RationalVector, unit: RationalVector) -> Fraction:
 
 def _exact_unit(v: RationalVector) -> RationalVector | None:
     """Return v / |v| when |v| is rational."""
-    square = sum(x * x for x in v)
-    top, bottom = math.isqrt(square.numerator), math.isqrt(square.denominator)
-    if top * top != square.numerator or bottom * bottom != square.denominator:
-        return None
-    length = Fraction(top, bottom)
-    return tuple(x / length for x in v)
+    length = exact_root(dot(v, v))
+    return None if length is None else tuple(x / length for x in v)
 
 
 def _near(v: RationalVector, limit: int) -> RationalVector:

@@ -28,6 +28,7 @@ from arrangement.console.number_form import counted
 from arrangement.numbers.exact import (
     RationalVector,
     dot,
+    exact_root,
     rational,
     simplest_between,
     to_text,
@@ -348,8 +349,7 @@ def _ways(centre: RationalVector, shape: Shape) -> Iterator[RationalVector]:
 
 def _root(square: Fraction) -> Fraction:
     """Return a square root, exactly where it is rational, else to 2^-60."""
-    top, bottom = math.isqrt(square.numerator), math.isqrt(square.denominator)
-    if (exact := Fraction(top, bottom)) ** 2 == square:
+    if (exact := exact_root(square)) is not None:
         return exact
     return Fraction(math.isqrt((square.numerator << 120) // square.denominator), 1 << 60)
 
