@@ -28,10 +28,10 @@ _Number = TypeVar("_Number", int, Fraction)
 DIRECTION = {"slip+": -1, "slip-": 1}
 
 
-def normal_force_row(contact: Contact, n: int = 3) -> RationalVector:
+def normal_force_row(contact: Contact) -> RationalVector:
     """Return the normal force of a touching contact, ``preload - stiffness N . d``."""
     preload, *spring = spring_row(contact)
-    return (*spring, *[Fraction(0)] * (n - 3), preload)
+    return (*spring, preload)
 
 
 def slip_row(contact: Contact, n: int = 3) -> RationalVector:

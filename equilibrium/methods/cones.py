@@ -10,8 +10,7 @@ normal planes ``stiffness N . d = preload`` cover all motions with one linear pr
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from fractions import Fraction
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from arrangement.arrangement import Arrangement
@@ -19,10 +18,12 @@ from arrangement.console.number_form import counted
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.linear.polyhedron import Polyhedron
-from equilibrium.core.contact_rows import Pair, negated, normal_force_row, unit_row
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_program import ContactProgram
 from equilibrium.methods.method import Method, Outcome, cut
-from equilibrium.methods.springs import StatesVerdict, first_balanced, force_rows
+from equilibrium.methods.springs import StatesVerdict
 from equilibrium.model.grasp import Grasp, read_wrench
+from equilibrium.model.rows import ContactRows
 from equilibrium.wrench_sets.polyhedra import StateImages
 
 
@@ -39,9 +40,13 @@ def cones(grasp: Grasp, wrench: Iterable[Any], *, printed: bool = False) -> Stat
     """
     applied, n = read_wrench(wrench), 3 + len(grasp)
     budget.check_cost(f"a linear program in {n} variables", "leave out contacts", steps=1.5 * n**3)
+    question = LinearQuestion(ContactRows.of_grasp(grasp), grasp.total_load(applied))
+    tried = 0
     every = [("attached",) * len(grasp)] if printed else _states(grasp)
-    choices = ((states, *_program(grasp, states)) for states in every)
-    return first_balanced(grasp, applied, choices, n)
+    for tried, states in enumerate(every, 1):
+        if (solution := ContactProgram(question, states).solution()) is not None:
+            return StatesVerdict(True, states, solution.motion, solution.forces, tried)
+    return StatesVerdict(False, None, None, None, tried)
 
 
 def _states(grasp: Grasp) -> Iterator[tuple[str, ...]]:
@@ -56,22 +61,6 @@ def _states(grasp: Grasp) -> Iterator[tuple[str, ...]]:
         signs = iter(region.signs)
         touches = (not contact.stiffness or next(signs) < 0 for contact in grasp)
         yield tuple("attached" if touch else "detached" for touch in touches)
-
-
-def _program(grasp: Grasp, states: Sequence[str]) -> tuple[list[Pair], list[RationalVector]]:
-    """Return forces and conditions as rows in the motion and a friction force a contact."""
-    n = 3 + len(grasp)
-    pairs: list[Pair] = []
-    rows: list[RationalVector] = []
-    for column, (contact, state) in enumerate(zip(grasp, states, strict=True), 3):
-        normal, friction = normal_force_row(contact, n), unit_row(column, n)
-        if state == "attached":
-            pairs.append((normal, friction))
-            rows += force_rows(contact, pairs[-1])
-        else:
-            pairs.append(((Fraction(0),) * (n + 1),) * 2)
-            rows.append(negated(normal))
-    return pairs, rows
 
 
 def _decide(grasp: Grasp, wrench: RationalVector) -> Outcome:

@@ -219,22 +219,6 @@ class StatesVerdict(Accepting):
     tried: int
 
 
-def first_balanced(
-    grasp: Grasp, wrench: RationalVector, choices: Iterable[Choice], n: int = 3
-) -> StatesVerdict:
-    """Return the first choice whose forces balance a wrench, by one exact program for each.
-
-    Args:
-        n: the number of unknowns, the motion first.
-    """
-    tried = 0
-    for tried, (states, pairs, rows) in enumerate(choices, 1):
-        point = some_point(n, rows, balance_rows(grasp, pairs, wrench, n)[0])
-        if point is not None:
-            return StatesVerdict(True, states, point[:3], forces_at(pairs, point), tried)
-    return StatesVerdict(False, None, None, None, tried)
-
-
 def frictionless_slip(
     grasp: Grasp, wrench: RationalVector, springs: list[Pair] | None = None
 ) -> StatesVerdict:
@@ -252,7 +236,12 @@ def frictionless_slip(
         OutOfReachError: too many contacts.
     """
     budget.check_size(len(grasp), "contacts with a choice of three states")
-    return first_balanced(grasp, wrench, _choices(grasp, springs or springs_of(grasp)))
+    tried = 0
+    for tried, (states, pairs, rows) in enumerate(_choices(grasp, springs or springs_of(grasp)), 1):
+        motion = some_point(3, rows, balance_rows(grasp, pairs, wrench)[0])
+        if motion is not None:
+            return StatesVerdict(True, states, motion, forces_at(pairs, motion), tried)
+    return StatesVerdict(False, None, None, None, tried)
 
 
 def _choices(grasp: Grasp, springs: list[Pair]) -> Iterator[Choice]:
