@@ -8,7 +8,7 @@ import numpy as np
 
 from arrangement.console.number_form import LABEL
 from arrangement.drawing.scene import Floats, Legend, Scene
-from arrangement.drawing.solids.flat_polygons import ordered
+from arrangement.drawing.solids.flat_polygons import hull_corners
 from arrangement.drawing.views import picture
 from arrangement.numbers.exact import RationalVector, primitive, sign
 from equilibrium.decide.solver import Solver
@@ -142,7 +142,7 @@ def _ground(assembly: Assembly, frame: Frame, points: list[RationalVector]) -> l
 def _hull(points: list[RationalVector]) -> Polygon | None:
     """Return the convex hull of points in the plane; None if they lie in a line."""
     in_space = (primitive((*p, Fraction(0), Fraction(1))) for p in points)
-    corners = ordered((0, 0, 1, 0), in_space)
+    corners = hull_corners((0, 0, 1, 0), in_space)
     if len(corners) < 3:
         return None
     return Polygon((Fraction(x, w), Fraction(y, w)) for x, y, _, w in corners)
