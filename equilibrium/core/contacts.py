@@ -63,16 +63,15 @@ class FloatContacts(FloatLaw):
         self.rows, m, n = rows, len(rows), rows.n
         self.turns = np.array(rows.turns)
         self._exact = [
-            (*c.normal_wrench, *chain(*c.tangential_wrenches), c.stiffness, c.preload, c.friction)
+            (*c.normal_wrench, *chain(*c.tangential_wrenches), c.friction, c.stiffness, c.preload)
             for c in rows
         ]
         numbers = [[number(x) for x in row] for row in self._exact]
         table = np.array(numbers, dtype=float if number is nearest else object)
         table = table.reshape(m, n * (1 + rows.tangents) + 3)
-        self.normal = table[:, :n].copy()
-        self.tangents = table[:, n:-3].reshape(m, rows.tangents, n)
-        self.stiffness, self.preload, self.friction = table[:, -3:].T
-        self.spring = np.column_stack([self.preload, -self.stiffness[:, None] * self.normal])
+        tangents = table[:, n:-3].reshape(m, rows.tangents, n)
+        super().__init__(table[:, :n].copy(), tangents, *table[:, -3:].T)
+        self.spring = self.spring_rows()
         self.tangent = self.tangents[:, 0]
         self.pull = self.friction[:, None] * self.tangent
         points = np.array([[nearest(x) for x in point] for point in rows.points])

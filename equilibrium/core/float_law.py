@@ -56,6 +56,24 @@ class FloatLaw:
     stiffness: Floats
     preload: Floats
 
+    def __init__(self, *numbers: Floats) -> None:
+        self.normal, self.tangents, self.friction, self.stiffness, self.preload = numbers
+
+    def in_units(self, arms: Floats, force: float, step: float) -> tuple[Floats, ...]:
+        """Return the numbers in other units: of motions `step` times `arms`, and of forces."""
+        return (
+            self.normal * arms,
+            self.tangents * arms,
+            self.friction,
+            self.stiffness * step / force,
+            self.preload / force,
+        )
+
+    def spring_rows(self) -> Floats:
+        """Return ``(q, -k N)`` (..., m, n + 1): forces of springs, at motions with a 1 first."""
+        springs = -self.stiffness[..., None] * self.normal
+        return np.concatenate([self.preload[..., None], springs], axis=-1)
+
     def spring_forces(self, motion: Floats) -> Floats:
         """Return ``q - k N . d`` (..., m) at motions (..., n); below 0 contacts are detached."""
         forces: Floats = self.preload - self.stiffness * products(self.normal, motion)
@@ -75,17 +93,15 @@ class FloatLaw:
         wrenches: Floats = self.normal[at] + pulls[..., 0, :]
         return wrenches
 
-    def least_works(
-        self, virtual: Floats, support: Callable[[Floats], Floats] = norms
-    ) -> tuple[Floats, Floats]:
-        """Return the least works of normal forces of 1 on virtual motions, (..., m), and slips.
+    def least_works(self, virtual: Floats, most: Floats) -> Floats:
+        """Return kappa (..., m), the least works of normal forces of 1 on virtual motions.
 
         Args:
-            support: the most that friction does against slips (..., m, t), as a share of its limit.
+            most: that friction does, as shares of its limit, (..., m): `norms` of the slips, or the
+                support of other cones.
         """
-        slips = self.slips(virtual)
-        kappa: Floats = products(self.normal, virtual) - self.friction * support(slips)
-        return kappa, slips
+        kappa: Floats = products(self.normal, virtual) - self.friction * most
+        return kappa
 
 
 class Balance(NamedTuple):

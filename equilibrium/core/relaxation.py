@@ -317,9 +317,7 @@ class Relaxation(FloatLaw):
         self.force, self.step = smooth.size or 1.0, float(smooth.scale[0])
         self.scale = self.step * self.arms
         self.load = smooth.load * self.arms / self.force
-        self.normal, self.tangents = c.normal * self.arms, c.tangents * self.arms
-        self.stiffness = c.stiffness * self.step / self.force
-        self.preload, self.friction = c.preload / self.force, c.friction
+        super().__init__(*c.in_units(self.arms, self.force, self.step))
         most = max_displacement
         self.most = np.inf if most is None else nearest(most) / self.step
         self.settings = clarabel.DefaultSettings()
@@ -400,15 +398,14 @@ class Relaxation(FloatLaw):
         multipliers, room = np.zeros((2, self.m, 2 * f))
         for i, block, start, end in program.parts:
             multipliers[i] = block.dual @ dual[start:end]
-        along, across = self.normal @ virtual, self.tangents @ virtual
-        most = self.cones.support(across)
+        slips = self.slips(virtual)
+        most = self.cones.support(slips)
         for i, block in zip(program.order, program.blocks, strict=True):
             if len(block.ends):
-                state = states[i]
-                most[i] = self.cones.largest(state, across[i].tolist())
+                most[i] = self.cones.largest(states[i], slips[i].tolist())
                 room[i, 1:f] = min((-block.ends @ multipliers[i, 1:f]).tolist())
         alphas = multipliers[:, 0].tolist()
-        slacks = (along - multipliers[:, 0] - self.friction * most).tolist()
+        slacks = (self.least_works(virtual, most) - multipliers[:, 0]).tolist()
         for i, (state, alpha, slack) in enumerate(zip(states, alphas, slacks, strict=True)):
             room[i, 0] = alpha if state == "detached" else slack
             if state == "undecided":

@@ -25,6 +25,7 @@ from equilibrium.certificate.robust import Holding, virtual_motion_problem
 from equilibrium.certificate.uncertain import Bounds, root
 from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.core.contacts import FloatContacts
+from equilibrium.core.float_law import FloatLaw
 from equilibrium.model.contact import Contact, radius_squared
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
@@ -146,7 +147,7 @@ def _choices(contacts: Sequence[Contact]) -> Iterator[list[int]]:
             yield sorted(i for side in chosen for i in side)
 
 
-class _FloatSubject:
+class _FloatSubject(FloatLaw):
     """A grasp, or an assembly, in floats: lengths in units of its size, forces of the largest."""
 
     def __init__(self, subject: Subject, load: RationalVector, bounds: Bounds) -> None:
@@ -159,11 +160,11 @@ class _FloatSubject:
         self.units = contacts.arms(1 / (arm or 1.0))
         self.load = np.array(rows.total_load(load), float) * self.units
         self.force = float(np.abs(np.append(self.load, contacts.preload)).max()) or 1.0
-        self.load, self.preload = self.load / self.force, contacts.preload / self.force
+        self.load = self.load / self.force
         self.stiff = (float(contacts.stiffness.mean()) if m else 1.0) or 1.0
-        self.stiffness, self.given_friction = contacts.stiffness / self.stiff, contacts.friction
-        self.friction = self.given_friction * (1 - float(bounds.friction))
-        self.normal, self.tangents = contacts.normal * self.units, contacts.tangents * self.units
+        super().__init__(*contacts.in_units(self.units, self.force, self.force / self.stiff))
+        #: With the least friction within bounds.
+        self.least = self.friction * (1 - float(bounds.friction))
         around = np.arange(_FRICTION_DIRECTIONS if self.d == 3 else 2)
         turn = 2 * np.pi * around / len(around)
         #: Friction forces of length 1.
@@ -203,10 +204,11 @@ def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
             line[place] += value
         return line
 
+    springs = rows.spring_rows()
     for a, i in enumerate(holding):
-        normal, pressed, mu = rows.normal[i], rows.stiffness[i] * rows.normal[i], rows.friction[i]
+        normal, mu, (preload, *yields) = rows.normal[i], rows.least[i], springs[i]
         rubs = slice(friction.start + a * (d - 1), friction.start + (a + 1) * (d - 1))
-        balance[:, motion] -= np.outer(normal, pressed)
+        balance[:, motion] += np.outer(normal, yields)
         balance[:, away.start + a] -= normal
         balance[:, rubs] += rows.tangents[i].T
         if mu:
@@ -216,17 +218,17 @@ def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
         size = mu or 1.0
         half = [(away.start + a, size / 2), (spent, size / 2), (room, size)]
         for way in rows.around:
-            least.append(row((rubs, way), (motion, size * pressed), *half))
-            limits.append(size * rows.preload[i])
+            least.append(row((rubs, way), (motion, -size * np.array(yields)), *half))
+            limits.append(size * preload)
         for sign in (1, -1):
             least.append(row((away.start + a, sign), (sizes.start + a, -1)))
             limits.append(0.0)
     for a, i in enumerate(loose):
-        pressed = -rows.stiffness[i] * rows.normal[i]
+        preload, *yields = springs[i]
         for way in rows.around:
-            slip = rows.friction[i] * rows.stiffness[i] * (way @ rows.tangents[i])
-            least.append(row((motion, pressed + slip), (adds.start + a, -1)))
-            limits.append(-rows.preload[i])
+            slip = rows.least[i] * rows.stiffness[i] * (way @ rows.tangents[i])
+            least.append(row((motion, yields + slip), (adds.start + a, -1)))
+            limits.append(-preload)
     optimum = linprog(
         row((room, -1)),
         np.array(least) if least else None,
@@ -239,8 +241,7 @@ def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
         return None
     forces = np.zeros((rows.m, d))
     place = optimum.x[motion]
-    forces[holding, 0] = rows.preload[holding] - optimum.x[away]
-    forces[holding, 0] -= rows.stiffness[holding] * (rows.normal[holding] @ place)
+    forces[holding, 0] = rows.spring_forces(place)[holding] - optimum.x[away]
     forces[holding, 1:] = optimum.x[friction].reshape(h, d - 1)
     return _Choice(place, forces)
 
@@ -252,7 +253,7 @@ def _corrected(
     m, n, d = rows.m, len(rows.load), rows.d
     columns = np.zeros((m, d, n))
     columns[holding, 0] = weight * rows.normal[holding]
-    columns[holding, 1:] = rows.tangents[holding] * (rows.friction[holding] > 0)[:, None, None]
+    columns[holding, 1:] = rows.tangents[holding] * (rows.least[holding] > 0)[:, None, None]
     matrix = columns.reshape(-1, n).T
     correction = np.linalg.pinv(matrix, rcond=1e-9).reshape(m, d, n)
     correction[:, 0] *= weight
@@ -294,9 +295,8 @@ def _pulled(subject: Subject, load: RationalVector, bounds: Bounds) -> dict[str,
 
     rows = _FloatSubject(subject, load, bounds)
     n, more = len(load), 1 + float(bounds.friction)
-    friction = rows.given_friction[:, None, None] * more
-    rub = np.einsum("uk,mkn->mun", rows.around, rows.tangents)
-    works = np.vstack([(rows.normal[:, None] - friction * rub).reshape(-1, n), rows.load])
+    shares = np.tile(more * rows.around[:, None], (1, rows.m, 1))
+    works = np.vstack([*map(rows.unit_wrenches, shares), rows.load])
     room = np.linalg.norm(works, axis=1)
     limits = [(-1, 1)] * n + [(0, None)]
     cost = np.append(np.zeros(n), -1.0)

@@ -70,10 +70,10 @@ def are_outside_cones(questions: Questions) -> Booleans:
 
 def _works_against_cones(q: Questions, motion: Floats) -> tuple[Booleans, Floats]:
     """Return where load and contacts surely do work, and the wrench (n, k) that does the least."""
-    kappa, slips = q.least_works(motion)
-    length, far = norms(slips), products(q.reach, np.abs(motion))
+    slips, far = q.slips(motion), products(q.reach, np.abs(motion))
+    length = norms(slips)
     scale = 1 / np.sqrt(1 + q.friction * q.friction)
-    work = np.where(q.present, kappa * scale, np.inf)
+    work = np.where(q.present, q.least_works(motion, length) * scale, np.inf)
     doubt = (1 + 1.5 * q.friction) * (q.tilt + 2 * q.rounding) * far * scale
     load = products(q.load[:, None], motion)[:, 0]
     sure = load > 20 * q.unit * products(np.abs(q.load)[:, None], np.abs(motion))[:, 0]
