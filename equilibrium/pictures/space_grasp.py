@@ -18,18 +18,6 @@ from arrangement.drawing.pages import PageFace, SolidPage, page_face
 from arrangement.drawing.scene import AROUND, Floats, Key, Legend, PageMap, Scene, millimetres
 from arrangement.drawing.solids.depth_tree import Node, SolidSheet, depth_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes, volume
-from arrangement.drawing.solids.pieces import (
-    Arrow,
-    arc,
-    arrow_pieces,
-    convex_hull,
-    drawn_edges,
-    flat,
-    head_of,
-    merge_faces,
-    open_edges,
-    segment,
-)
 from arrangement.drawing.solids.sight import (
     best_view,
     picture_axes,
@@ -52,6 +40,18 @@ from equilibrium.model.displacement import NOT_SMALL, displacement_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Mesh, Sphere
+from equilibrium.pictures.solid_pieces import (
+    Arrow,
+    arc,
+    arrow_pieces,
+    convex_hull,
+    drawn_edges,
+    flat,
+    head_of,
+    merge_faces,
+    open_edges,
+    segment,
+)
 
 from .body import Frame, frame_of
 from .style import (

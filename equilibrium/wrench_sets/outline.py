@@ -19,8 +19,8 @@ from arrangement.console.progress import watched
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, to_text
 from arrangement.numbers.linear.intervals import Interval, is_long, remainder, union
 from arrangement.numbers.linear.polyhedron import Polyhedron
-from arrangement.numbers.linear.separation import possibly_meeting, sides
 from equilibrium.core.contact_rows import negated
+from equilibrium.wrench_sets.separation import possibly_meeting, sides
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,6 @@ from arrangement.numbers.linear.cones import Cone
 from arrangement.numbers.linear.intervals import Interval, intersection, union
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.rank import difference
-from arrangement.numbers.linear.separation import surely_outside
 from arrangement.numbers.packing import pack
 from equilibrium.core.contact_rows import (
     displacement_rows,
@@ -37,6 +36,7 @@ from equilibrium.core.contact_rows import (
 from equilibrium.decide.solver import Solver
 from equilibrium.model.grasp import Grasp
 from equilibrium.plane.states.contact_states import States
+from equilibrium.wrench_sets.separation import surely_outside
 
 #: Above this number, images that are not vertices are left out.
 _MANY = 40

@@ -12,7 +12,6 @@ from arrangement.numbers.linear import programs
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import from_conditions, from_generators
 from arrangement.numbers.linear.rank import cross, rank
-from arrangement.numbers.linear.separation import possibly_meeting, sides, surely_outside
 from equilibrium import Contact, Grasp, ResistedSet, solve
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import from_float_data
@@ -25,6 +24,7 @@ from equilibrium.wrench_sets.along_in_space import spatial_magnitudes
 from equilibrium.wrench_sets.line import resisted_magnitudes
 from equilibrium.wrench_sets.outline import outline_of
 from equilibrium.wrench_sets.polyhedra import StateImages, magnitudes_in, states_with
+from equilibrium.wrench_sets.separation import possibly_meeting, sides, surely_outside
 from equilibrium.wrench_sets.slice import FORCES, resisted_region
 from proofs_check.examples.gaps import gaps, small_grasps
 

@@ -13,8 +13,7 @@ import numpy as np
 
 from arrangement.numbers.exact import IntegerVector
 from arrangement.numbers.float_filter import Booleans, Floats, error_bound, scale_rows
-
-from .polyhedron import Polyhedron
+from arrangement.numbers.linear.polyhedron import Polyhedron
 
 #: A value below this is truly negative. A scalar product has at most `_TERMS` terms, each at most 1
 #: in size, of two rounded factors; so `error_bound` is also a bound of its error, up to the factor

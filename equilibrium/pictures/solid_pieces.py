@@ -11,12 +11,11 @@ from typing import TypeAlias
 import numpy as np
 
 from arrangement.drawing.scene import Floats
+from arrangement.drawing.solids.sight import across, face_normal, unit
+from arrangement.drawing.solids.surface import Patch
 from arrangement.errors import extra
 from arrangement.numbers.exact import IntegerVector, primitive, reduced
 from arrangement.numbers.linear.rank import cycle_edges, plane_through
-
-from .sight import across, face_normal, unit
-from .surface import Patch
 
 #: Sides of the head of an arrow; its length and radius.
 _HEAD_SIDES, _HEAD, _HEAD_RADIUS = 6, 0.09, 0.03
