@@ -309,8 +309,9 @@ def wrench_at(point: RationalVector, force: RationalVector) -> RationalVector:
     return (force[0], force[1], point[0] * force[1] - point[1] * force[0])
 
 
-#: What the points of a pad have in common.
+#: What the points of a pad have in common, and of what each has a share.
 _COMMON = ("normal", "tangent", "friction")
+_SHARED = VALUES[1:]
 
 
 def groups_of(contacts: Sequence[Any]) -> tuple[range, ...]:
@@ -351,14 +352,11 @@ def joined(points: Sequence[Contact]) -> Contact:
     if len(points) == 1:
         return points[0]
     columns = zip(*(c.point for c in points), strict=True)
-    return replace(
-        points[0],
-        point=tuple(Fraction(dot([c.share for c in points], column)) for column in columns),
-        stiffness=sum((c.stiffness for c in points), Fraction(0)),
-        preload=sum((c.preload for c in points), Fraction(0)),
-        adhesion=sum((c.adhesion for c in points), Fraction(0)),
-        share=Fraction(1),
-    )
+    middle = tuple(Fraction(dot([c.share for c in points], column)) for column in columns)
+    whole: dict[str, Any] = {
+        name: sum((getattr(c, name) for c in points), Fraction(0)) for name in _SHARED
+    }
+    return replace(points[0], point=middle, share=Fraction(1), **whole)
 
 
 def spread(points: Sequence[Contact], moved: Contact) -> tuple[Contact, ...]:
@@ -377,16 +375,8 @@ def spread(points: Sequence[Contact], moved: Contact) -> tuple[Contact, ...]:
         # The smallest rotation that takes the old normal to the new one.
         turn = dot(moved.normal, away) / (1 + dot(old.normal, moved.normal))
         place = (p + a - turn * m for p, a, m in zip(moved.point, away, middle, strict=True))
-        points_after.append(
-            replace(
-                moved,
-                point=tuple(place),
-                stiffness=_shared(c, old, moved, "stiffness"),
-                preload=_shared(c, old, moved, "preload"),
-                adhesion=_shared(c, old, moved, "adhesion"),
-                share=c.share,
-            )
-        )
+        own: dict[str, Any] = {name: _shared(c, old, moved, name) for name in _SHARED}
+        points_after.append(replace(moved, point=tuple(place), share=c.share, **own))
     return tuple(points_after)
 
 

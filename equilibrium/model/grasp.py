@@ -325,23 +325,12 @@ class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
         ``(f_x, f_y, tau)``. An outline is left out.
         """
         zero = Fraction(0)
-        return Grasp(
-            (
-                Contact(
-                    (*c.point, zero),
-                    (*c.normal, zero),
-                    c.friction,
-                    c.stiffness,
-                    c.preload,
-                    (*c.tangent, zero),
-                    c.stiffness_given,
-                    c.share,
-                    c.adhesion,
-                )
-                for c in self
-            ),
-            self.units,
-        )
+
+        def lifted(c: Contact) -> Contact:
+            vectors = (*c.point, zero), (*c.normal, zero), (*c.tangent, zero)
+            return replace(c, point=vectors[0], normal=vectors[1], tangent=vectors[2], thread=())
+
+        return Grasp(map(lifted, self), self.units)
 
     def tangential_arrangement(self) -> Arrangement:
         """Return the m planes ``T . d = 0`` in the space of motions d."""
@@ -492,14 +481,13 @@ def in_plane(
     if dot(normal, force) or dot(torque, u) or dot(torque, v):
         raise GraspError("the load does not lie in the plane of the contacts")
     flat = Grasp(
-        Contact(
-            (dot(u, c.point), dot(v, c.point)),
-            (dot(u, c.normal), dot(v, c.normal)),
-            c.friction,
-            c.stiffness,
-            c.preload,
-            stiffness_given=c.stiffness_given,
-            adhesion=c.adhesion,
+        replace(
+            c,
+            point=(dot(u, c.point), dot(v, c.point)),
+            normal=(dot(u, c.normal), dot(v, c.normal)),
+            tangent=(),
+            share=Fraction(1),
+            thread=(),
         )
         for c in grasp
     )

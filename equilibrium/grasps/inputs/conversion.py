@@ -274,14 +274,8 @@ def _pad(contact: Contact, radius: Fraction) -> Iterator[Contact]:
         for step, tangent in zip(along, contact.tangents, strict=True):
             point = tuple(x + step * radius * t for x, t in zip(point, tangent, strict=True))
         part = Fraction(share)
-        yield replace(
-            contact,
-            point=point,
-            stiffness=part * contact.stiffness,
-            preload=part * contact.preload,
-            adhesion=part * contact.adhesion,
-            share=part,
-        )
+        shared = {name: part * getattr(contact, name) for name in VALUES[1:]}
+        yield replace(contact, point=point, share=part, **shared)
 
 
 def _at_least_zero(value: Any, name: str) -> Fraction:
