@@ -370,9 +370,9 @@ class ContactModes(ReprMixin):
 
     def _slips(self, signs: Sequence[int]) -> Slips:
         m = len(self.normals)
-        found = iter(signs[m:])
+        rest = iter(signs[m:])
         return tuple(
-            None if separates else tuple(next(found) for _ in rows)
+            None if separates else tuple(next(rest) for _ in rows)
             for separates, rows in zip(signs[:m], self.tangents, strict=True)
         )
 

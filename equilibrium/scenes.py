@@ -77,9 +77,9 @@ class EngineScene(ReprMixin):
     def __init__(self, grasp: Grasp, directions: Iterable[Iterable[Any]] | None = None) -> None:
         many = grasp.wrench_size
         axes = [[int(i == k) for i in range(many)] for k in range(many)]
-        given = axes if directions is None else directions
+        loads = axes if directions is None else directions
         self.grasp = grasp
-        self.directions = tuple(grasp.read_wrench(x) for x in given)
+        self.directions = tuple(grasp.read_wrench(x) for x in loads)
         if not all(map(any, self.directions)):
             raise GraspError("a direction is zero; give one that is not")
         if not all(c.stiffness for c in grasp):
@@ -150,9 +150,9 @@ class EngineScene(ReprMixin):
         for direction in self.directions:
             known: dict[str, Any] = {"direction": list(map(to_text, direction))}
             if self.grasp.dimension == 2:
-                found = resisted_magnitudes(solver, direction)
-                known["resisted"] = found.to_dict()["intervals"]
-                ends = {end for interval in found.intervals for end in interval if end}
+                magnitudes = resisted_magnitudes(solver, direction)
+                known["resisted"] = magnitudes.to_dict()["intervals"]
+                ends = {end for interval in magnitudes.intervals for end in interval if end}
                 asked = {end * (1 + way * BESIDE) for end in ends for way in (-1, 0, 1)}
             else:
                 borders = spatial_magnitudes(self.grasp, direction, width=_WIDTH).borders

@@ -346,18 +346,18 @@ class Bodies(NamedTuple):
     stated: Mapping[str, Any] | None
     has_key: bool
 
-    def wrenches(self, given: Any = None, *, required: bool = True) -> Wrenches:
+    def wrenches(self, on_bodies: Any = None, *, required: bool = True) -> Wrenches:
         """Return the wrenches given, for other bodies those of the file, else zero.
 
         Raises:
             GraspError: there are none, and some are required.
         """
-        if required and self.stated is None and given is None:
+        if required and self.stated is None and on_bodies is None:
             raise GraspError(
                 "the assembly has no wrenches; give --on BODY F_X F_Y TAU for each body that has "
                 'one, or write the key "wrench" into its file'
             )
-        return self.assembly.read_wrenches({**(self.stated or {}), **(given or {})})
+        return self.assembly.read_wrenches({**(self.stated or {}), **(on_bodies or {})})
 
 
 def bodies_of(arguments: argparse.Namespace) -> Bodies | None:

@@ -194,9 +194,9 @@ def _converted(arguments: argparse.Namespace) -> int:
 
     options = {name: getattr(arguments, name) for name in arguments.options}
     read = getattr(inputs, arguments.reader)
-    given = [getattr(arguments, name) for name in arguments.given]
-    bodies = inputs.read_bodies(*given, **options) if read is inputs.read_csv else None
-    conversion: Conversion = read(*given, **options) if bodies is None else bodies[1]
+    sources = [getattr(arguments, name) for name in arguments.given]
+    bodies = inputs.read_bodies(*sources, **options) if read is inputs.read_csv else None
+    conversion: Conversion = read(*sources, **options) if bodies is None else bodies[1]
     document = conversion.to_dict()
     if bodies is None:
         document["grasp"] = _labelled(conversion.grasp, arguments).to_dict()

@@ -75,8 +75,8 @@ def _verify(arguments: argparse.Namespace) -> int:
         del document[name]
     document["checker"] = "proved" if arguments.verified else "python"
     lines = list(_lines(report, "verified" if arguments.verified else "Python", known=not unread))
-    one = question if question and not letter else (None,)
-    if words := numbering_words(getattr(one[0], "groups", ())):
+    subject = question[0] if question and not letter else None
+    if words := numbering_words(getattr(subject, "groups", ())):
         lines.append(words)
     grasp = report.grasp if "grasp" in document else None
     return show(arguments, document, lines, bool(report), grasp)

@@ -103,8 +103,8 @@ def _between(one: Subject, two: Subject, share: Fraction) -> Subject:
             normal = unit_normal(mixed(old.normal, new.normal), share * far / 1000).normal
         pairs = ([getattr(c, name) for c in (old, new)] for name in VALUES)
         values = {k: x + share * (y - x) for k, (x, y) in zip(VALUES, pairs, strict=True)}
-        place, given = mixed(old.point, new.point), old.stiffness_given
-        contacts.append(Contact(place, normal, **values, stiffness_given=given))
+        place, is_stated = mixed(old.point, new.point), old.stiffness_given
+        contacts.append(Contact(place, normal, **values, stiffness_given=is_stated))
     return with_contacts(one, contacts)
 
 
@@ -174,11 +174,11 @@ def _error_bounds(subject: Subject) -> tuple[Bounds, bool]:
     }
     wanted = {"degrees": error.angle * 113 * 180 / 355, "length": error.length}
     wanted |= {name: error.value / x for name, x in least.items()}
-    given = {
+    bounds = {
         name: min(x, Fraction(45 if name == "degrees" else "99/100")) for name, x in wanted.items()
     }
-    given["length"] = error.length
-    return Bounds(**given), given == wanted
+    bounds["length"] = error.length
+    return Bounds(**bounds), bounds == wanted
 
 
 def effort_within(deadline: Deadline) -> Effort:

@@ -46,12 +46,12 @@ def _shorter(leaf: Leaf, place: Place, question: TreeQuestion) -> Leaf:
         rounded = leaf.with_numbers(round(Fraction(x) * share / size) for x in leaf.numbers)
         alone = Leaf(rounded.motion, {})
         factors = question.leaf_work(alone, place.region, place.states).factors
-        given = {}
+        rows = {}
         for i, (alpha, *h) in rounded.multipliers.items():
             # Rounding must not lift alpha above what the contact does.
             pair = factors[i]
-            given[i] = (alpha if pair is None else min(alpha, int(pair[0] // pair[1])), *h)
-        for short in (alone, Leaf(alone.motion, given)):
+            rows[i] = (alpha if pair is None else min(alpha, int(pair[0] // pair[1])), *h)
+        for short in (alone, Leaf(alone.motion, rows)):
             if any(alone.motion) and not question.leaf_problem(short, place):
                 return short.primitive()
     return leaf

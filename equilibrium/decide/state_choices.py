@@ -156,8 +156,8 @@ def _bounds(grasp: Grasp, states: States) -> list[IntegerVector]:
     if rank([primitive(c.tangential_wrench) for c in sticking]) < 3:
         return []
     rows = []
-    for one, other in combinations(sticking, 2):
-        motion = cross(one.tangential_wrench, other.tangential_wrench)
+    for first, second in combinations(sticking, 2):
+        motion = cross(first.tangential_wrench, second.tangential_wrench)
         pull = sum(c.friction * c.preload * abs(dot(c.tangential_wrench, motion)) for c in sticking)
         push = sum(c.preload * dot(c.normal_wrench, motion) for c in sticking)
         push += dot(grasp.adhesion_wrench, motion)

@@ -7,7 +7,7 @@ An angle is given by the tangent q of its half: its cosine ``(1 - q^2) / (1 + q^
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import Annotated, TypeAlias
@@ -57,7 +57,7 @@ def stack(
     for k in range(blocks):
         name, below = f"block {k + 1}", f"block {k}" if k else None
         bodies.append(RigidBody(name, Polygon([(-1, k), (1, k), (1, k + 1), (-1, k + 1)])))
-        contacts += [BodyContact(name, below, Contact((x, k), (0, 1), friction)) for x in (-1, 1)]
+        contacts += _contacts(name, below, [(-1, k), (1, k)], (0, 1), friction)
         wrenches[name] = (Fraction(0), -load, Fraction(0))
     wrenches[name] = (side, -load, -side * (blocks - Fraction(1, 2)))
     return Assembly(bodies, contacts), wrenches
@@ -98,11 +98,11 @@ def arch(
             for r in pair
         ]
         bodies.append(RigidBody(name, Polygon(corners)))
-        contacts += _along(name, before, left, (left[1], -left[0]), radii, friction)
+        contacts += _contacts(name, before, corners[:2], (left[1], -left[0]), friction)
         middle = sum((x for x, _ in corners), Fraction(0)) / 4
         wrenches[name] = (Fraction(0), -load, -load * middle)
-    last = joints[-1]
-    contacts += _along(name, None, last, (-last[1], last[0]), radii, friction)
+    # The corners go round: those of the last joint come from outside.
+    contacts += _contacts(name, None, corners[:1:-1], (-right[1], right[0]), friction)
     return Assembly(bodies, contacts), wrenches
 
 
@@ -174,9 +174,9 @@ def wedge(
         RigidBody("wedge", Polygon([(0, 0), (4 * c, 0), face[1]])),
         RigidBody("block", Polygon([(0, 0), face[1], (4 * c, top), (0, top)])),
     ]
-    contacts = [BodyContact("wedge", None, Contact((x, 0), (0, 1), ground)) for x in (c, 4 * c)]
-    contacts += [BodyContact("block", "wedge", Contact(p, (-s, c), friction)) for p in face]
-    contacts += [BodyContact("block", None, Contact((0, y), (1, 0), 0)) for y in (top / 2, top)]
+    contacts = _contacts("wedge", None, [(c, 0), (4 * c, 0)], (0, 1), ground)
+    contacts += _contacts("block", "wedge", face, (-s, c), friction)
+    contacts += _contacts("block", None, [(0, top / 2), (0, top)], (1, 0), 0)
     wrenches: Wrenches = {"wedge": (Fraction(0),) * 3, "block": (Fraction(0), -load, -2 * c * load)}
     return Assembly(bodies, contacts), wrenches
 
@@ -208,12 +208,12 @@ def cylinders(
     centres = {"top": (none, 1 + 2 * c), "left": (-2 * s, one), "right": (2 * s, one)}
     circles = {name: Circle(place, 1) for name, place in centres.items()}
     floor = Segments([[(-4, 0), (4, 0)]])
-    found = touching(
+    contacts = touching(
         [*map(Shape, circles, circles.values()), Shape("floor", floor, False)],
         lambda _, other: {"friction": ground if other == "floor" else friction},
     )
     bodies = [RigidBody(name, circle, load) for name, circle in circles.items()]
-    made = found.assembly(bodies, [floor])
+    made = contacts.assembly(bodies, [floor])
     return made, made.weights
 
 
@@ -246,7 +246,7 @@ def ladder(
     contacts = [
         BodyContact("ladder", None, Contact((0, 0), (0, 1), friction)),
         BodyContact("ladder", "block", Contact((3, 4), (-1, 0), face)),
-        *(BodyContact("block", None, Contact((x, 0), (0, 1), block)) for x in (3, 5)),
+        *_contacts("block", None, [(3, 0), (5, 0)], (0, 1), block),
     ]
     places = Fraction(3, 2), Fraction(4)
     pairs = zip(("ladder", "block"), loads, places, strict=True)
@@ -286,8 +286,8 @@ def ramp(
         RigidBody("ramp", Polygon([(0, 0), (6 * c, 0), (6 * c, 6 * s)])),
         RigidBody("block", Polygon([*foot, *top])),
     ]
-    contacts = [BodyContact("ramp", None, Contact((x, 0), (0, 1), ground)) for x in (0, 6 * c)]
-    contacts += [BodyContact("block", "ramp", Contact(p, (-s, c), friction)) for p in foot]
+    contacts = _contacts("ramp", None, [(0, 0), (6 * c, 0)], (0, 1), ground)
+    contacts += _contacts("block", "ramp", foot, (-s, c), friction)
     none = Fraction(0)
     wrenches: Wrenches = {
         "ramp": (none, -load, -4 * c * load),
@@ -322,9 +322,7 @@ def tongs(
     for name, side in (("left", -1), ("right", 1)):
         corners = [(side, 0), (2 * side, 0), (2 * side, 2), (side, 2)]
         bodies.append(RigidBody(name, Polygon(corners)))
-        contacts += [
-            BodyContact("block", name, Contact((side, y), (-side, 0), friction)) for y in (0, 2)
-        ]
+        contacts += _contacts("block", name, [(side, 0), (side, 2)], (-side, 0), friction)
         # The force acts at half of the height.
         wrenches[name] = (-side * force, load / 2, side * (force + Fraction(3, 4) * load))
     return Assembly(bodies, contacts), wrenches
@@ -336,18 +334,15 @@ TEXTBOOK = {
 }
 
 
-def _along(
+def _contacts(
     name: str,
     other: str | None,
-    ray: RationalVector,
-    normal: Iterable[Fraction],
-    radii: Iterable[Fraction],
+    places: Iterable[Sequence[Rational]],
+    normal: Sequence[Rational],
     friction: Rational,
 ) -> list[BodyContact]:
-    """Return the contacts of a joint along a ray from the origin."""
-    inward = tuple(normal)
-    places = (tuple(r * x for x in ray) for r in radii)
-    return [BodyContact(name, other, Contact(place, inward, friction)) for place in places]
+    """Return contacts with one normal, which points into the first body."""
+    return [BodyContact(name, other, Contact(place, normal, friction)) for place in places]
 
 
 def _joint(k: int, count: int) -> RationalVector:

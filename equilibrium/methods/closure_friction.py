@@ -105,23 +105,25 @@ def closure_friction(grasp: Grasp, tolerance: Any = TOLERANCE) -> ClosureFrictio
         raise GraspError(f"tolerance is {shown(width)}; it must be above 0")
     if (motion := _motion_without_slip(grasp)) is not None:
         return ClosureFriction(None, None, motion)
-    found = _asked(grasp, ClosureFriction(Fraction(0), None), Fraction(0), width)
+    bracket = _asked(grasp, ClosureFriction(Fraction(0), None), Fraction(0), width)
     coefficient = Fraction(1)
-    while found.high is None and coefficient <= _LARGEST:
-        found, coefficient = _asked(grasp, found, coefficient, width), 2 * coefficient
-    while found.high is not None and found.low is not None and found.high - found.low > width:
-        length = found.high - found.low
+    while bracket.high is None and coefficient <= _LARGEST:
+        bracket, coefficient = _asked(grasp, bracket, coefficient, width), 2 * coefficient
+    while (
+        bracket.high is not None and bracket.low is not None and bracket.high - bracket.low > width
+    ):
+        length = bracket.high - bracket.low
         for share in (Fraction(1, 2), Fraction(1, 4), Fraction(3, 4), Fraction(1, 10)):
-            middle = found.low + share * length
+            middle = bracket.low + share * length
             # Short numbers are more often where closure ends.
             at = simplest_between(middle - length / 20, middle + length / 20)
-            narrower = _asked(grasp, found, at, width)
-            if narrower != found:
-                found = narrower
+            narrower = _asked(grasp, bracket, at, width)
+            if narrower != bracket:
+                bracket = narrower
                 break
         else:
             break
-    return found
+    return bracket
 
 
 def closure_frictions(grasps: Sequence[Grasp], tolerance: Any = TOLERANCE) -> Floats:
@@ -131,8 +133,8 @@ def closure_frictions(grasps: Sequence[Grasp], tolerance: Any = TOLERANCE) -> Fl
     """
     brackets = np.full((len(grasps), 2), np.inf)
     for row, grasp in zip(brackets, watched(grasps, "grasps", len(grasps)), strict=True):
-        found = closure_friction(grasp, tolerance)
-        for k, (end, way) in enumerate(((found.low, -1), (found.high, 1))):
+        bracket = closure_friction(grasp, tolerance)
+        for k, (end, way) in enumerate(((bracket.low, -1), (bracket.high, 1))):
             if end is not None:
                 row[k] = float(end)
                 if (Fraction(row[k]) - end) * way < 0:

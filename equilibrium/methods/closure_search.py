@@ -65,8 +65,8 @@ class ClosureSearch:
         if ray is None:
             return None
         exact = ExactParts(self._contacts, self._load, Effort())
-        found = exact.part(self._states, -(self._contacts.tangents @ ray.virtual))
-        return None if isinstance(found, Solution) else found.motion
+        proof = exact.part(self._states, -(self._contacts.tangents @ ray.virtual))
+        return None if isinstance(proof, Solution) else proof.motion
 
     def forces(self) -> Iterator[tuple[RationalVector, ...]]:
         """Yield balanced forces near those of the load and the pushes, from coarse to fine."""
@@ -85,10 +85,10 @@ class ClosureSearch:
         for fine in _ROUNDINGS:
             sizes = [round(float(forces[place]) * fine) for place in places]
             values, scale = cancelled(columns, sizes, rows.n)
-            found = [[Fraction(0)] * 3 for _ in rows]
+            shares = [[Fraction(0)] * 3 for _ in rows]
             for (i, j), value in zip(places, values, strict=True):
-                found[i][j] = Fraction(value, fine * scale)
-            yield tuple(map(tuple, found))
+                shares[i][j] = Fraction(value, fine * scale)
+            yield tuple(map(tuple, shares))
 
     def _changed_first(
         self, places: Sequence[tuple[int, int]], forces: Floats

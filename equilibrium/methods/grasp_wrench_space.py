@@ -104,11 +104,11 @@ class GraspWrenchSpace:
         zero = (Fraction(0),) * self._axes
         if self.norm == "L1":
             return _hull([zero, *(edge for pair in edges for edge in pair)])
-        found = _hull([zero])
+        hull = _hull([zero])
         for pair in edges:
-            sums = product(found.points, (zero, *pair))
-            found = _hull([sum_row(one, other, 1) for one, other in sums])
-        return found
+            sums = product(hull.points, (zero, *pair))
+            hull = _hull([sum_row(wrench, other, 1) for wrench, other in sums])
+        return hull
 
     @property
     def facets(self) -> tuple[IntegerVector, ...]:
@@ -231,9 +231,9 @@ class GraspWrenchSpace:
 def _hull(points: Iterable[RationalVector]) -> Polyhedron:
     """Return the convex hull of finitely many points, at least one."""
     rays = [primitive((*p, Fraction(1))) for p in points]
-    found = from_generators(rays, (), len(rays[0]) - 1)
-    assert found is not None
-    return found
+    hull = from_generators(rays, (), len(rays[0]) - 1)
+    assert hull is not None
+    return hull
 
 
 def _decide(grasp: Grasp, wrench: RationalVector, pyramid: int | None = None) -> Outcome:

@@ -128,12 +128,12 @@ def with_edges(
         for i in range(len(grasp.groups)):
             rows.append((*(Fraction(-(k == i)) for k in owner), Fraction(1), Fraction(0)))
     objective = [0] * len(columns) + [1] if bounds else [1] * n
-    found = minimize(objective, rows, balance) if norm else feasible_point(n, rows, balance)
-    assert not isinstance(found, Unbounded)
-    if isinstance(found, Infeasible):
-        motion = tuple(-x for x in found.equality_multipliers)
+    answer = minimize(objective, rows, balance) if norm else feasible_point(n, rows, balance)
+    assert not isinstance(answer, Unbounded)
+    if isinstance(answer, Infeasible):
+        motion = tuple(-x for x in answer.equality_multipliers)
         return ConeVerdict(False, separating_motion=motion)
-    point, least = (found.point, found.value) if isinstance(found, Optimal) else (found, None)
+    point, least = (answer.point, answer.value) if isinstance(answer, Optimal) else (answer, None)
     parts, forces = iter(point), []
     for contact, along in zip(grasp, edges, strict=True):
         sizes = [next(parts) for _ in along]

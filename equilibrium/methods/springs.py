@@ -59,8 +59,8 @@ def balanced_wrenches(
     balance, unit = balance_rows(grasp, pairs, (Fraction(0),) * 3)
 
     def images(motions: Iterable[IntegerVector]) -> list[IntegerVector]:
-        found = (([-dot(row, d) for row in balance], unit * d[3]) for d in motions)
-        return [primitive([*wrench, h]) for wrench, h in found if h or any(wrench)]
+        balanced = (([-dot(row, d) for row in balance], unit * d[3]) for d in motions)
+        return [primitive([*wrench, h]) for wrench, h in balanced if h or any(wrench)]
 
     return from_generators(images(rays), images(lines), 3)
 

@@ -136,9 +136,9 @@ def _starting_acceleration(
         if label in seen:
             continue
         seen.add(label)
-        found = _nonzero_solution(*_system(grasp, load, matrix, label))
-        if found is not None:
-            return found
+        acceleration = _nonzero_solution(*_system(grasp, load, matrix, label))
+        if acceleration is not None:
+            return acceleration
     return None
 
 
@@ -186,11 +186,11 @@ def _nonzero_solution(
     for axis, side in product(range(3), (1, -1)):
         answer = minimize([side * x for x in unit_row(axis, n)[:-1]], inequalities, equalities)
         assert not isinstance(answer, Infeasible)
-        found = answer.point
+        end = answer.point
         if isinstance(answer, Unbounded):
-            found = sum_row(found, answer.ray, 1)
-        if any(found[:3]):
-            return found[:3]
+            end = sum_row(end, answer.ray, 1)
+        if any(end[:3]):
+            return end[:3]
     return None
 
 
@@ -216,10 +216,10 @@ def _balances(assembly: Assembly, wrenches: Any) -> bool:
 
 
 def _decide_strong(grasp: Grasp, wrench: RationalVector) -> Outcome:
-    found = weak_strong(grasp, wrench)
-    if found.acceleration is None:
-        return found.strong, "unit mass and inertia about the origin"
-    return False, f"may start with acceleration {vector(found.acceleration)}"
+    stability = weak_strong(grasp, wrench)
+    if stability.acceleration is None:
+        return stability.strong, "unit mass and inertia about the origin"
+    return False, f"may start with acceleration {vector(stability.acceleration)}"
 
 
 def _decide_frictionless(

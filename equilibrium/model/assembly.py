@@ -301,10 +301,10 @@ class Assembly(HintsMixin, ContactValuesMixin):
                     parts[place[c.body_b]] = tuple(-x for x in wrench)
                 return tuple(x for part in parts for x in part)
 
-            one = c.contact
-            tangents = tuple(map(lifted, one.tangential_wrenches))
-            values = (getattr(one, name) for name in VALUES)
-            rows.append(ContactRow(lifted(one.normal_wrench), tangents, *values))
+            contact = c.contact
+            tangents = tuple(map(lifted, contact.tangential_wrenches))
+            values = (getattr(contact, name) for name in VALUES)
+            rows.append(ContactRow(lifted(contact.normal_wrench), tangents, *values))
         points = tuple(c.contact.point for c in self.contacts)
         return ContactRows(tuple(rows), points, TURNS[2] * len(place), 1)
 

@@ -176,12 +176,12 @@ class ParametricQuestion:
 
             def read(key: str, entry: Any = entry, name: str = name) -> Any:
                 zero = Expression("number", (Fraction(_DEFAULTS[key]),))
-                found = letter * 0 + self._value(entry.get(key, zero), letter, f"{name}.{key}")
-                if -1 in found.signs():
+                value = letter * 0 + self._value(entry.get(key, zero), letter, f"{name}.{key}")
+                if -1 in value.signs():
                     raise GraspError(
-                        f"{name}: {key} is {found}, below 0 for some values in {domain.span}"
+                        f"{name}: {key} is {value}, below 0 for some values in {domain.span}"
                     )
-                return found
+                return value
 
             point = tuple(self._value(x, letter, f"{name}.point") for x in entry["point"])
             friction, stiffness, preload, adhesion = map(read, VALUES)
@@ -212,9 +212,9 @@ class ParametricQuestion:
         if self.names is None:
             rows = [self._read.get("wrench", [Expression("number", (Fraction(0),))] * SIZE)]
         elif "wrench" in self._read:
-            given = self._read["wrench"]
+            wrenches = self._read["wrench"]
             rows = [
-                given.get(name, [Expression("number", (Fraction(0),))] * SIZE)
+                wrenches.get(name, [Expression("number", (Fraction(0),))] * SIZE)
                 for name in self.names
             ]
         else:

@@ -39,7 +39,7 @@ def check_subject(value: object) -> None:
 def contacts_of(subject: Subject) -> tuple[Contact, ...]:
     """Return the contacts, without their bodies; a pad is one."""
     if isinstance(subject, Assembly):
-        return tuple(one.contact for one in subject.contacts)
+        return tuple(entry.contact for entry in subject.contacts)
     return subject.joined().contacts
 
 
@@ -95,14 +95,14 @@ def seen_by(subject: Subject, i: int, motion: Sequence[Fraction]) -> RationalVec
     """Return a motion as contact i sees it: in an assembly that of body_a relative to body_b."""
     if not isinstance(subject, Assembly):
         return tuple(motion)
-    one, names = subject.contacts[i], subject.names
+    joint, names = subject.contacts[i], subject.names
 
     def of(name: str) -> Sequence[Fraction]:
         start = SIZE * names.index(name)
         return motion[start : start + SIZE]
 
-    own = tuple(of(one.body_a))
-    return own if one.body_b is None else difference(own, tuple(of(one.body_b)))
+    own = tuple(of(joint.body_a))
+    return own if joint.body_b is None else difference(own, tuple(of(joint.body_b)))
 
 
 def flat(subject: Subject, values: Any) -> RationalVector:

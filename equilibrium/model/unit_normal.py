@@ -168,10 +168,10 @@ def _near_in_space(v: Sequence[int], limit: int) -> tuple[list[int], int]:
         unit = int(few[np.abs(pair - np.rint(pair * few) / few).max(axis=0).argmin()])
     halves = [(2 * x * unit + bottom) // (2 * bottom) for x in tops]
     squares = sum(x * x for x in halves)
-    found = [(1 if v[first] > 0 else -1) * (unit * unit - squares)] * 3
+    vector = [(1 if v[first] > 0 else -1) * (unit * unit - squares)] * 3
     for j, x in zip(others, halves, strict=True):
-        found[j] = 2 * x * unit
-    return found, unit * unit + squares
+        vector[j] = 2 * x * unit
+    return vector, unit * unit + squares
 
 
 def _root(square: Fraction, limit: int) -> Fraction:

@@ -174,8 +174,8 @@ def _crosses(points: Floats) -> bool:
         return True
 
     def sides(a: Floats, b: Floats, c: Floats) -> Floats:
-        one, two = (b - a)[:, None], c[None] - a[:, None]
-        areas: Floats = one[..., 0] * two[..., 1] - one[..., 1] * two[..., 0]
+        edge, away = (b - a)[:, None], c[None] - a[:, None]
+        areas: Floats = edge[..., 0] * away[..., 1] - edge[..., 1] * away[..., 0]
         return areas
 
     apart = sides(points, ends, points) * sides(points, ends, ends) < -1e-18

@@ -166,9 +166,9 @@ def _bar(factors: Sequence[Interval]) -> str:
         labels |= {at(x): LABEL.number(x) for x in (low, high) if x is not None}
         if high is None:
             labels[at(last)] = "∞"
-    one = at(Fraction(1))
-    parts.append(f'<path class="load" d="M{one} 40l-5 8h10z"/>')
-    parts.append(f'<text x="{one}" y="59">1: the load</text>')
+    load = at(Fraction(1))
+    parts.append(f'<path class="load" d="M{load} 40l-5 8h10z"/>')
+    parts.append(f'<text x="{load}" y="59">1: the load</text>')
     left = -30.0
     for x, text in sorted(labels.items()):
         if x - left > 26:

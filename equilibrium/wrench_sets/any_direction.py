@@ -134,8 +134,8 @@ class _Sizes(NamedTuple):
     base: RationalVector
     length: Fraction
 
-    def product(self, one: RationalVector, other: RationalVector) -> Fraction:
-        x, y, torque = (a * b for a, b in zip(one, other, strict=True))
+    def product(self, left: RationalVector, right: RationalVector) -> Fraction:
+        x, y, torque = (a * b for a, b in zip(left, right, strict=True))
         return x + y + torque / self.length**2
 
     def square(self, load: RationalVector) -> Fraction:
@@ -150,15 +150,15 @@ class _Sizes(NamedTuple):
 
     def nearest(self, generators: Sequence[IntegerVector]) -> RationalVector:
         """Return the nearest point of all segments and rays between homogeneous generators."""
-        found = []
-        for one, other in combinations(sorted(generators, key=lambda x: -x[3]), 2):
-            if one[3]:
-                start, end = (tuple(Fraction(x, v[3] or 1) for x in v[:3]) for v in (one, other))
-                step = difference(end, start) if other[3] else end
+        points = []
+        for first, second in combinations(sorted(generators, key=lambda x: -x[3]), 2):
+            if first[3]:
+                start, end = (tuple(Fraction(x, v[3] or 1) for x in v[:3]) for v in (first, second))
+                step = difference(end, start) if second[3] else end
                 away = difference(self.base, start)
                 share = max(self.product(away, step) / self.product(step, step), Fraction(0))
-                found.append(sum_row(start, step, min(share, Fraction(1)) if other[3] else share))
-        return min(found, key=self.square)
+                points.append(sum_row(start, step, min(share, Fraction(1)) if second[3] else share))
+        return min(points, key=self.square)
 
 
 class _FacetPart(NamedTuple):
@@ -227,8 +227,8 @@ def _nearest_border(solids: Sequence[Polyhedron], sizes: _Sizes) -> _FacetPart |
     others = polygons_near([row for row, _ in alone], [[solid] for _, solid in alone], solids)
     waiting: list[tuple[Fraction, int, _FacetPart]] = []
     order = count()
-    for (row, solid), found in zip(alone, others, strict=True):
-        part = _facet(row, solid, found, sizes)
+    for (row, solid), around in zip(alone, others, strict=True):
+        part = _facet(row, solid, around, sizes)
         heappush(waiting, (sizes.square(part.nearest), next(order), part))
     for part in watched(_nearest_first(waiting), "parts of facets"):
         shape = part.covering()
@@ -304,10 +304,10 @@ def _beyond(
         load = sum_row(sum_row(end, step, far), back, -far / 2**k)
         room = far / 4**k
         simple = tuple(simplest_between(x - room, x + room) for x in load)
-        for found in (simple, load):
-            away = difference(found, end)
-            if sizes.product(away, away) <= reach**2 and not states_with(pieces, found):
-                return found
+        for candidate in (simple, load):
+            away = difference(candidate, end)
+            if sizes.product(away, away) <= reach**2 and not states_with(pieces, candidate):
+                return candidate
     raise AssertionError  # a load is found: see above
 
 

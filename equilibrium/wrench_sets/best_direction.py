@@ -157,7 +157,7 @@ def _beyond(region: Region, end: RationalVector, edge: Segment | None) -> Ration
         far = reach / 2**k / size
         exact = tuple(x + far * (a - Fraction(b, 2**k)) for x, a, b in zip(end, u, v, strict=True))
         for room in (far / 4**k, Fraction(0)):
-            found = tuple(simplest_between(x - room, x + room) if room else x for x in exact)
-            if not region.contains(found):
-                return found
+            candidate = tuple(simplest_between(x - room, x + room) if room else x for x in exact)
+            if not region.contains(candidate):
+                return candidate
     raise AssertionError  # See above.

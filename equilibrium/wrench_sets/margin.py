@@ -141,10 +141,10 @@ def limit_words(solver: Solver, wrench: Any) -> list[str]:
     near = min(factors, key=_distance, default=None)
     if near is None or near[0] == near[1]:
         return []
-    given = ends_of(solver.grasp, solver.no_wrench, wrench, [near], solver.max_displacement)
+    giving = ends_of(solver.grasp, solver.no_wrench, wrench, [near], solver.max_displacement)
     return [
         f"{word} {LABEL.number(end)} times the load: {what.words}"
-        for word, end, what in zip(("from", "up to"), near, *given, strict=True)
+        for word, end, what in zip(("from", "up to"), near, *giving, strict=True)
         if end is not None and what is not None
     ]
 
@@ -189,18 +189,18 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
     Fraction(3, 1)
     """
     w, bound = read_wrench(wrench), prepare(grasp).max_displacement
-    given = prepare(grasp).grasp
-    unloaded, loaded = (given.with_preload(p) for p in (0, 1))
+    scaled = prepare(grasp).grasp
+    unloaded, loaded = (scaled.with_preload(p) for p in (0, 1))
     held = Solver(unloaded, bound).solve(w).stable
     parts: list[Interval] = [(Fraction(0), Fraction(0))] if held else []
     # Without a range a preload of p resists a load, with the adhesion, where one of 1 resists the
     # load over p.
     screen = StateChoices(loaded).screen
-    load, none = given.total_load(w), negated(given.adhesion_wrench)
+    load, none = scaled.total_load(w), negated(scaled.adhesion_wrench)
     possible = screen.possible(none, load) if any(load) else screen.possible(w)
     tried = watched(screen.codes[possible].tolist(), "contact states")
-    numbers = tuple(given.contact_numbers)
-    bare, still = given.with_preload(0), (Fraction(0),) * 3
+    numbers = tuple(scaled.contact_numbers)
+    bare, still = scaled.with_preload(0), (Fraction(0),) * 3
     changes: Any = {"preload_slope": Fraction(1), "max_displacement": bound}
     ((_, question),) = part_questions(bare, w, still, **changes)
     intervals = (

@@ -124,12 +124,12 @@ def polygons_near(
         carriers: for each line the polygons with an edge in it, or that lie in it.
     """
     above, below = sides(rows, solid)
-    edges = [tight(row, p) for row, found in zip(rows, carriers, strict=True) for p in found]
+    edges = [tight(row, p) for row, carrying in zip(rows, carriers, strict=True) for p in carrying]
     meeting = possibly_meeting(edges, solid)
     start = 0
-    for i, found in enumerate(carriers):
-        near = meeting[start : start + len(found)].any(axis=0) & ~above[i] & ~below[i]
-        start += len(found)
+    for i, carrying in enumerate(carriers):
+        near = meeting[start : start + len(carrying)].any(axis=0) & ~above[i] & ~below[i]
+        start += len(carrying)
         yield [solid[j] for j in np.flatnonzero(near).tolist()]
 
 

@@ -152,12 +152,12 @@ def _along_pad(contact: Contact) -> Fraction:
 
 def _given_by_parts(parts: Iterable[_PartQuestion], end: Fraction, way: int) -> Giving | None:
     """Return what gives at an end of the common magnitudes of all parts; None if unknown."""
-    given: dict[str, list[int]] = {name: [] for name in Giving.json_fields}
+    together: dict[str, list[int]] = {name: [] for name in Giving.json_fields}
     for part in parts:
         if (giving := what_gives(part.question, part.groups, end, way)) is not None:
-            for name, numbers in given.items():
+            for name, numbers in together.items():
                 numbers += [part.numbers[k - 1] for k in getattr(giving, name)]
-    return Giving(**{name: tuple(sorted(numbers)) for name, numbers in given.items()}) or None
+    return Giving(**{name: tuple(sorted(numbers)) for name, numbers in together.items()}) or None
 
 
 def what_gives(question: LinearQuestion, groups: Groups, end: Fraction, way: int) -> Giving | None:
@@ -201,7 +201,7 @@ def limits_of(subject: Subject, load: Any) -> Giving | None:
 
     Those at their friction limit slip; those without force are unloaded.
     """
-    given: list[Giving] = []
+    each: list[Giving] = []
     for part in _parts(subject, load, no_load(subject), {}):
         tree = StateTree(part.question, Effort.usual(_STEPS), _NODES * budget.times())
         try:
@@ -212,9 +212,9 @@ def limits_of(subject: Subject, load: Any) -> Giving | None:
             return None
         giving = _given(common, part.groups)
         numbers = ([part.numbers[k - 1] for k in x] for x in (giving.slips, giving.lifts_off))
-        given.append(Giving(tuple(next(numbers)), unloaded=tuple(next(numbers))))
+        each.append(Giving(tuple(next(numbers)), unloaded=tuple(next(numbers))))
     slips, unloaded = (
-        tuple(sorted(k for one in given for k in getattr(one, name)))
+        tuple(sorted(k for one in each for k in getattr(one, name)))
         for name in ("slips", "unloaded")
     )
     return Giving(slips, unloaded=unloaded) or None

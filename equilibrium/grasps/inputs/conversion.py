@@ -133,8 +133,8 @@ def snapped(value: Any, tolerance: Any = DEFAULT_TOLERANCE) -> tuple[Fraction, F
     exact, bound = from_float(value, "value"), from_float(tolerance, "tolerance")
     if bound < 0:
         raise GraspError(f"tolerance is {shown(tolerance)}; it must be at least 0")
-    found = simplest_between(exact - bound, exact + bound)
-    return found, found - exact
+    simplest = simplest_between(exact - bound, exact + bound)
+    return simplest, simplest - exact
 
 
 def assembled(
@@ -178,20 +178,20 @@ def contact_entry(entry: Any, name: str) -> Any:
     """
     if not isinstance(entry, Mapping):
         return entry
-    found = dict(entry)
+    renamed = dict(entry)
     for other, usual in _OTHER_NAMES.items():
-        if other in found:
-            if usual in found:
+        if other in renamed:
+            if usual in renamed:
                 raise GraspError(f"{name} has {other} and {usual}; keep one")
-            found[usual] = found.pop(other)
-    if "angle" in found:
-        if "normal" in found:
+            renamed[usual] = renamed.pop(other)
+    if "angle" in renamed:
+        if "normal" in renamed:
             raise GraspError(f"{name} has angle and normal; keep one")
-        direction = direction_of(rational(found.pop("angle"), f"{name}: angle"))
-        found["normal"] = list(map(to_text, direction))
-    if is_listed(found.get("preload")) and is_listed(found.get("normal")):
-        found["preload"] = to_text(_along(found["preload"], found["normal"], name))
-    return found
+        direction = direction_of(rational(renamed.pop("angle"), f"{name}: angle"))
+        renamed["normal"] = list(map(to_text, direction))
+    if is_listed(renamed.get("preload")) and is_listed(renamed.get("normal")):
+        renamed["preload"] = to_text(_along(renamed["preload"], renamed["normal"], name))
+    return renamed
 
 
 def extras_of(entry: Any) -> dict[str, Any]:
@@ -221,7 +221,7 @@ def direction_of(degrees: Fraction) -> tuple[Fraction, Fraction]:
     return ((x, y), (-y, x), (-x, -y), (y, -x))[int(quarters) % 4]
 
 
-def completed(found: Conversion, extras: Sequence[Mapping[str, Any]]) -> Conversion:
+def completed(conversion: Conversion, extras: Sequence[Mapping[str, Any]]) -> Conversion:
     """Return contacts with the pads that a file gives them, and what is to be said of them.
 
     A ``pad`` is a flat patch of that radius: points along the tangents share stiffness, preload and
@@ -238,23 +238,23 @@ def completed(found: Conversion, extras: Sequence[Mapping[str, Any]]) -> Convers
         for i, entry in enumerate(extras, 1)
     ]
     if not any(any(entry.values()) for entry in values):
-        return replace(found, remarks=_remarks(found.grasp))
+        return replace(conversion, remarks=_remarks(conversion.grasp))
     parts = [
         [*_pad(contact, entry["pad"])] if entry.get("pad") else [contact]
-        for contact, entry in zip(found.grasp, values, strict=True)
+        for contact, entry in zip(conversion.grasp, values, strict=True)
     ]
-    found = found.of_points(Grasp(chain.from_iterable(parts)), parts)
-    return replace(found, remarks=_remarks(found.grasp))
+    conversion = conversion.of_points(Grasp(chain.from_iterable(parts)), parts)
+    return replace(conversion, remarks=_remarks(conversion.grasp))
 
 
 def _remarks(grasp: Grasp) -> tuple[str, ...]:
     """Return what stands for each pad of a grasp, and what adhesion does, in words."""
-    found = []
+    remarks = []
     for k, points in enumerate(grasp.parts, 1):
         if len(points) > 1:
             whole = joined(points)
             assumed = "" if whole.stiffness_given else " (assumed)"
-            found.append(
+            remarks.append(
                 f"contact {k}: {len(points)} points stand for an evenly pressed flat pad of "
                 f"radius {radius_text(points)}, with shares of stiffness "
                 f"{number_text(whole.stiffness)}{assumed} and of the preload; each point has "
@@ -262,8 +262,8 @@ def _remarks(grasp: Grasp) -> tuple[str, ...]:
             )
     if pulling := [str(k) for k, c in enumerate(map(joined, grasp.parts), 1) if c.adhesion]:
         whose = f"contact{'s' * (len(pulling) > 1)} {', '.join(pulling)}"
-        found.append(f"adhesion pulls against the normal of {whose}, besides every load")
-    return tuple(found)
+        remarks.append(f"adhesion pulls against the normal of {whose}, besides every load")
+    return tuple(remarks)
 
 
 def _pad(contact: Contact, radius: Fraction) -> Iterator[Contact]:
@@ -299,8 +299,8 @@ def contact_values(
         stiffness: None where it is not given.
     """
     known = stiffness is not None
-    given = zip(VALUES, (friction, stiffness if known else 1, preload, adhesion), strict=True)
-    columns = [[read(x, y) for x, y in _for_each(value, number, name)] for name, value in given]
+    kinds = zip(VALUES, (friction, stiffness if known else 1, preload, adhesion), strict=True)
+    columns = [[read(x, y) for x, y in _for_each(value, number, name)] for name, value in kinds]
     rows = (dict(zip(VALUES, row, strict=True)) for row in zip(*columns, strict=True))
     return [{**row, "stiffness_given": known} for row in rows]
 
@@ -319,18 +319,18 @@ def _for_each(value: Any, number: int, name: str) -> list[tuple[Any, str]]:
     """Return one value for each contact, and its name, from one for all or a sequence of them."""
     if not is_listed(value):
         return [(value, name)] * number
-    found = list(value)
-    if len(found) != number:
-        raise GraspError(f"{name} has {len(found)} values for {number} contacts")
-    return [(x, f"{name}[{i}]") for i, x in enumerate(found)]
+    listed = list(value)
+    if len(listed) != number:
+        raise GraspError(f"{name} has {len(listed)} values for {number} contacts")
+    return [(x, f"{name}[{i}]") for i, x in enumerate(listed)]
 
 
 def unit_normals(directions: Iterable[Any], tolerance: Any) -> list[UnitNormal]:
     """Return exactly unit vectors; errors name the contact."""
-    found = []
+    normals = []
     for i, direction in enumerate(directions):
         try:
-            found.append(unit_normal(direction, tolerance))
+            normals.append(unit_normal(direction, tolerance))
         except ValueError as error:
             raise GraspError(f"normals[{i}]: {error}") from None
-    return found
+    return normals

@@ -104,28 +104,28 @@ def from_float_data(
             f"{number_text(bound)}; give a smaller tolerance, or another unit of length"
         )
     values = friction, stiffness, preload, adhesion
-    found = contact_values(len(places), *values, read=_real)
-    columns = {name: [entry[name] for entry in found] for name in VALUES}
+    rows = contact_values(len(places), *values, read=_real)
+    columns = {name: [entry[name] for entry in rows] for name in VALUES}
     snap, worst = bound * _unit(columns.values()), Fraction(0)
-    for name, given in columns.items():
-        for i, x in enumerate(equal_numbers(given, snap, how)):
-            if name == "stiffness" and x == 0 < given[i]:
+    for name, column in columns.items():
+        for i, x in enumerate(equal_numbers(column, snap, how)):
+            if name == "stiffness" and x == 0 < column[i]:
                 raise GraspError(
-                    f"stiffness[{i}] is {number_text(given[i])}, which is 0 within the tolerance "
+                    f"stiffness[{i}] is {number_text(column[i])}, which is 0 within the tolerance "
                     f"{number_text(snap)}; give a smaller tolerance, or 0"
                 )
-            worst, found[i][name] = max(worst, abs(x - given[i])), x
-    return converted(places, directions, found, how, worst, snap)
+            worst, rows[i][name] = max(worst, abs(x - column[i])), x
+    return converted(places, directions, rows, how, worst, snap)
 
 
 def _real(value: Any, name: str) -> Fraction:
     """Return a number exactly that may be a float, by its size."""
-    found = from_float(value, name)
-    if abs(found) > _LARGEST:
+    exact = from_float(value, name)
+    if abs(exact) > _LARGEST:
         raise GraspError(
-            f"{name} is {number_text(found)}; expected a number up to 1.79e308, as floats are"
+            f"{name} is {number_text(exact)}; expected a number up to 1.79e308, as floats are"
         )
-    return found
+    return exact
 
 
 def _unit(columns: Iterable[list[Fraction]]) -> Fraction:
@@ -190,8 +190,8 @@ def read_float_data(
         for key, given in document.items()
         if key in VALUES
     }
-    found = from_float_data(points, normals, **values, **options)
-    return completed(found, extras) if extras else found
+    conversion = from_float_data(points, normals, **values, **options)
+    return completed(conversion, extras) if extras else conversion
 
 
 def _columns(document: Mapping[str, Any]) -> dict[str, Any]:

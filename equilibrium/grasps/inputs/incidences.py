@@ -96,14 +96,16 @@ def converted(
         (new, error + max(map(abs, difference(new, old))))
         for new, old, (_, error) in zip(moved, points, places, strict=True)
     ]
-    found = assembled(changed, normals, values, value_error, outline)
-    if not found.exact:
+    conversion = assembled(changed, normals, values, value_error, outline)
+    if not conversion.exact:
         # Incidences may have moved numbers by more than the rounding alone does.
-        length = max(how.error if how.keep else how.snap, *found.point_errors)
-        angle = max(how.angle, *map(abs, found.angle_errors))
+        length = max(how.error if how.keep else how.snap, *conversion.point_errors)
+        angle = max(how.angle, *map(abs, conversion.angle_errors))
         error = DataError(length, angle, value_bound, not how.keep)
-        found = replace(found, grasp=replace(found.grasp, data_error=error), kept=kept)
-    return found
+        conversion = replace(
+            conversion, grasp=replace(conversion.grasp, data_error=error), kept=kept
+        )
+    return conversion
 
 
 def check_number(normals: int, points: int) -> None:
@@ -137,9 +139,9 @@ def other_rounding(subject: Subject, seed: int) -> Subject:
     places, units, _ = rounded_contacts(points, normals, how)
     columns = {}
     for name in VALUES:
-        given = [getattr(contact, name) for contact in contacts]
-        near = equal_numbers(given, error.value, replace(how, key=name))
-        columns[name] = [max(x, y / 2) if y else y for x, y in zip(near, given, strict=True)]
+        column = [getattr(contact, name) for contact in contacts]
+        near = equal_numbers(column, error.value, replace(how, key=name))
+        columns[name] = [max(x, y / 2) if y else y for x, y in zip(near, column, strict=True)]
     changed = (
         Contact(
             places[i],
@@ -244,7 +246,7 @@ class _Work:
     def _meeting(self, lines: list[int]) -> Iterator[tuple[list[int], Floats]]:
         """Yield contacts whose lines meet in a point, the most lines first, with the point."""
         at, along = self.at[lines], self.along[lines]
-        found: dict[tuple[int, ...], Floats] = {}
+        meeting: dict[tuple[int, ...], Floats] = {}
         for i in range(min(len(lines), _TRIED)):
             cosine = along @ along[i]
             square = 1 - cosine**2
@@ -257,14 +259,14 @@ class _Work:
             near = miss <= np.maximum(self.error, self.angle * np.abs(depth))
             for j in np.flatnonzero(near.sum(axis=1) >= self._least):
                 chosen = tuple(np.flatnonzero(near[j]).tolist())
-                if chosen not in found:
+                if chosen not in meeting:
                     # The point of least squares of the distances.
                     part = along[list(chosen)]
                     square = np.eye(self.n) - part[:, :, None] * part[:, None, :]
                     right = np.einsum("kij,kj->i", square, at[list(chosen)])
-                    found[chosen] = np.linalg.lstsq(square.sum(axis=0), right, rcond=None)[0]
-        for chosen in sorted(found, key=len, reverse=True):
-            yield [i for k in chosen for i in self.lines[lines[k]]], found[chosen]
+                    meeting[chosen] = np.linalg.lstsq(square.sum(axis=0), right, rcond=None)[0]
+        for chosen in sorted(meeting, key=len, reverse=True):
+            yield [i for k in chosen for i in self.lines[lines[k]]], meeting[chosen]
 
     @property
     def _least(self) -> int:
@@ -283,24 +285,24 @@ class _Work:
                 miss = float(np.linalg.norm(away - depth * self.along[i]))
                 if miss > self.error and leader == i and aim[i] is self.directions[i]:
                     aim[i] = tuple(Fraction(x) for x in (away if depth > 0 else -away).tolist())
-        found: list[UnitNormal] = []
-        for i, given in enumerate(self.directions):
+        normals: list[UnitNormal] = []
+        for i, direction in enumerate(self.directions):
             leader = self.leader[i]
             if leader == i:
-                square = self._square(i, found) if self.n == 3 else []
+                square = self._square(i, normals) if self.n == 3 else []
                 key = f"normal {i}"
-                found.append(self.how.normal(given, aim[i], key, far.get(i, 0.0), square))
+                normals.append(self.how.normal(direction, aim[i], key, far.get(i, 0.0), square))
                 continue
-            normal = found[leader].normal
+            normal = normals[leader].normal
             for _ in range(self.turn[i]):
                 normal = (-normal[1], normal[0]) if self.n == 2 else tuple(-x for x in normal)
-            found.append(UnitNormal(normal, angle_error(given, normal)))
-        return found
+            normals.append(UnitNormal(normal, angle_error(direction, normal)))
+        return normals
 
-    def _square(self, i: int, found: list[UnitNormal]) -> list[RationalVector]:
+    def _square(self, i: int, normals: list[UnitNormal]) -> list[RationalVector]:
         """Return up to two of the normals found, at right angles to the next within the error."""
         near: list[RationalVector] = []
-        for j, (normal, _) in enumerate(found):
+        for j, (normal, _) in enumerate(normals):
             right = self.leader[j] == j and abs(self.along[j] @ self.along[i]) <= self.angle
             if right and len(near) < 2 and not any(dot(normal, other) for other in near):
                 near.append(normal)

@@ -98,8 +98,8 @@ class Surface:
     @property
     def corners(self) -> Floats:
         """(F, 3, 3); the corners of each facet."""
-        found: Floats = self.points[self.facets]
-        return found
+        corners: Floats = self.points[self.facets]
+        return corners
 
     def outward(self, corners: Floats) -> Floats:
         """Return the outward normals of facets, twice their areas long."""
@@ -167,11 +167,11 @@ def on_mesh(
         if max(map(abs, point)) > FARTHEST:
             raise GraspError(f"point {i} is beyond 1e60; give a place near the surface")
     corners = surface.corners
-    found = _nearest(surface, corners, wanted, from_floats(max_distance), smooth)
-    found += _drawn(surface, corners, random, seed, facing)
-    if not found:
+    chosen = _nearest(surface, corners, wanted, from_floats(max_distance), smooth)
+    chosen += _drawn(surface, corners, random, seed, facing)
+    if not chosen:
         raise GraspError("no contacts are requested; give points (--at) or a number (--random)")
-    places, facets = zip(*found, strict=True)
+    places, facets = zip(*chosen, strict=True)
     inward: Sequence[Sequence[float | Fraction]]
     if smooth:
         inward = _smooth_inward(surface, corners, facets, [point for point, _ in places])
@@ -180,7 +180,7 @@ def on_mesh(
     return converted(
         places,
         inward,
-        contact_values(len(found), friction, stiffness, preload),
+        contact_values(len(chosen), friction, stiffness, preload),
         rounding(0, _FINE * Fraction(surface.size), angle_tolerance, as_given),
         outline=surface.outline(),
     )
@@ -223,7 +223,7 @@ def _nearest(
 
     centres = corners.mean(axis=1)
     reach = np.linalg.norm(corners - centres[:, None], axis=2).max(axis=1)
-    found: list[Found] = []
+    nearest: list[Found] = []
     for i, point in enumerate(wanted):
         here = np.array(point, float)
         away = np.linalg.norm(centres - here, axis=1)
@@ -245,12 +245,12 @@ def _nearest(
         if not smooth:
             _check_smooth(surface.outward(corners[ties]), f"point {i + 1} {vector_text(point)}")
         if least <= _ON_SURFACE * surface.size:
-            found.append(((point, Fraction(0)), int(ties[0])))
+            nearest.append(((point, Fraction(0)), int(ties[0])))
             continue
         place = _simple(places[best], surface.size)
         change = max(abs(x - y) for x, y in zip(place, point, strict=True))
-        found.append(((place, change), int(ties[0])))
-    return found
+        nearest.append(((place, change), int(ties[0])))
+    return nearest
 
 
 def _check_smooth(normals: Floats, name: str) -> None:
@@ -287,15 +287,15 @@ def _drawn(
             )
     source = Random(f"mesh {seed}")
     sums = list(accumulate(areas[chosen].tolist()))
-    found: list[Found] = []
+    drawn: list[Found] = []
     for _ in range(number):
         facet = int(source.choices(chosen, cum_weights=sums)[0])
         a, b = sorted((source.random(), source.random()))
         place = np.array([a, b - a, 1 - b]) @ corners[facet]
         simple = _simple(place, surface.size)
         change = max(abs(x - Fraction(y)) for x, y in zip(simple, place.tolist(), strict=True))
-        found.append(((simple, change), facet))
-    return found
+        drawn.append(((simple, change), facet))
+    return drawn
 
 
 def _smooth_inward(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from numbers import Integral
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.library.arguments import at_least, entries
 from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
@@ -94,6 +94,10 @@ def _degrees(value: Any, name: str) -> float:
         raise GraspError(f"{name} is {shown(value)}; give degrees that a float holds") from None
 
 
+#: Two points.
+Segment: TypeAlias = tuple[RationalVector, RationalVector]
+
+
 class OnEdge(NamedTuple):
     """A place on a polygon: the point ``(1 - at) vertices[edge] + at vertices[edge + 1]``.
 
@@ -138,21 +142,21 @@ def from_polygon(
     >>> from_polygon(triangle, [OnEdge(1, "1/2")], 1).grasp.contacts[0].normal
     (Fraction(-3, 5), Fraction(-4, 5))
     """
-    given = entries(vertices, "vertices", "points")
-    corners = [coordinates(v, f"vertices[{i}]", 2) for i, v in enumerate(given)]
+    listed = entries(vertices, "vertices", "points")
+    corners = [coordinates(v, f"vertices[{i}]", 2) for i, v in enumerate(listed)]
     inside = orientation(corners)
-    found = [
+    on_edges = [
         _placed(corners, place, i) if isinstance(place, OnEdge) else _located(corners, place, i)
         for i, place in enumerate(entries(places, "places", "places"))
     ]
     directions = []
-    for edge, _ in found:
+    for edge, _ in on_edges:
         along = difference(corners[(edge + 1) % len(corners)], corners[edge])
         directions.append((-inside * along[1], inside * along[0]))
     return converted(
-        [(point, Fraction(0)) for _, point in found],
+        [(point, Fraction(0)) for _, point in on_edges],
         directions,
-        contact_values(len(found), friction, stiffness, preload, adhesion),
+        contact_values(len(on_edges), friction, stiffness, preload, adhesion),
         rounding(0, tolerance, angle_tolerance, as_given),
         outline=Polygon(corners),
     )
@@ -197,16 +201,19 @@ def _clash(corners: Sequence[RationalVector], i: int, j: int) -> bool:
         first, shared, last = (a, b, d) if j == i + 1 else (c, a, b)
         back, ahead = difference(first, shared), difference(last, shared)
         return turn(back, ahead) == 0 and back[0] * ahead[0] + back[1] * ahead[1] > 0
-    return _segments_meet(a, b, c, d)
-
-
-def _segments_meet(
-    a: RationalVector, b: RationalVector, c: RationalVector, d: RationalVector
-) -> bool:
     cases = ((a, b, c), (a, b, d), (c, d, a), (c, d, b))
-    turns = [sign(turn(difference(q, p), difference(r, p))) for p, q, r in cases]
-    crossing = turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0
-    return crossing or any(place_on_segment(*case) is not None for case in cases)
+    return do_cross((a, b), (c, d)) or any(place_on_segment(*x) is not None for x in cases)
+
+
+def do_cross(first: Segment, second: Segment) -> bool:
+    """Return whether segments cross in a point that is no end of either."""
+
+    def parts(line: Segment, ends: Segment) -> bool:
+        along = difference(line[1], line[0])
+        low, high = (sign(turn(along, difference(end, line[0]))) for end in ends)
+        return low * high < 0
+
+    return parts(first, second) and parts(second, first)
 
 
 def place_on_segment(

@@ -53,7 +53,7 @@ class Rounding:
 
     def normal(
         self,
-        given: RationalVector,
+        direction: RationalVector,
         aim: RationalVector,
         key: str,
         far: float = 0.0,
@@ -71,14 +71,14 @@ class Rounding:
             bound /= 4
         if len(square) == 2:
             along = cross(*square)
-            found = along if dot(along, aim) > 0 else tuple(-x for x in along)
+            unit = along if dot(along, aim) > 0 else tuple(-x for x in along)
         elif square:
             axes = Contact([0, 0, 0], square[0], 0).tangents
             shares = unit_normal([dot(axis, aim) for axis in axes], bound).normal
-            found = tuple(dot(shares, column) for column in zip(*axes, strict=True))
+            unit = tuple(dot(shares, column) for column in zip(*axes, strict=True))
         else:
-            found = unit_normal(aim, bound).normal
-        return UnitNormal(found, angle_error(given, found))
+            unit = unit_normal(aim, bound).normal
+        return UnitNormal(unit, angle_error(direction, unit))
 
     def _share(self, key: str) -> Fraction:
         return Fraction(Random(f"{self.seed} {self.key} {key}").randint(-16, 16), 16)
@@ -87,9 +87,9 @@ class Rounding:
 def rounding(snap: Any, error: Any, angle: Any, as_given: bool) -> Rounding:
     """Return how numbers are rounded, from what a user gives."""
     names = ("tolerance", "tolerance", "angle_tolerance")
-    given = list(zip(names, (snap, error, angle), strict=True))
-    bounds = [from_float(x, name) for name, x in given]
-    for (name, x), bound in zip(given, bounds, strict=True):
+    limits = list(zip(names, (snap, error, angle), strict=True))
+    bounds = [from_float(x, name) for name, x in limits]
+    for (name, x), bound in zip(limits, bounds, strict=True):
         if bound < 0:
             raise GraspError(f"{name} is {shown(x)}; it must be at least 0")
     return Rounding(bounds[0], bounds[1], bounds[2], keep=not as_given)
@@ -97,7 +97,7 @@ def rounding(snap: Any, error: Any, angle: Any, as_given: bool) -> Rounding:
 
 def equal_numbers(values: Sequence[Fraction], bound: Fraction, how: Rounding) -> list[Fraction]:
     """Return numbers near the given ones; those of equal size within a bound stay equal in size."""
-    found = list(values)
+    numbers = list(values)
     order = sorted(range(len(values)), key=lambda i: abs(values[i])) if bound else []
     start = 0
     while start < len(order):
@@ -107,6 +107,6 @@ def equal_numbers(values: Sequence[Fraction], bound: Fraction, how: Rounding) ->
         key = to_text(round(low / bound)) if how.keep else f"number {order[start]}"
         size = how.number(low, abs(values[order[end - 1]]), key, bound)
         for i in order[start:end]:
-            found[i] = -size if values[i] < 0 else size
+            numbers[i] = -size if values[i] < 0 else size
         start = end
-    return found
+    return numbers

@@ -296,10 +296,10 @@ def _wrenches(assembly: Assembly, rows: list[Any], document: Mapping[str, Any]) 
     if not ("wrench" in document or any("force" in row for row in rows)):
         return None
     stated = check_keys(document.get("wrench", {}), (), assembly.names, "wrench")
-    given = assembly.read_wrenches({k: check_list(x, f"wrench.{k}") for k, x in stated.items()})
+    wrenches = assembly.read_wrenches({k: check_list(x, f"wrench.{k}") for k, x in stated.items()})
     total: Wrenches = {}
     for row, body in zip(rows, assembly.bodies, strict=True):
-        parts: list[RationalVector] = [given[body.name], body.weight_wrench]
+        parts: list[RationalVector] = [wrenches[body.name], body.weight_wrench]
         if "force" in row:
             where = f"the force on {body.name}"
             force = coordinates(check_list(row["force"], where), where, 2)

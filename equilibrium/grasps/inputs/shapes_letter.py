@@ -59,7 +59,7 @@ def shapes_with_letter(
     document = shapes_document(source) | ({} if friction is None else {"friction": friction})
     if "bodies" not in document or document.get("wrench") or gap or document.get("gap"):
         raise GraspError("shapes with a letter have bodies, and neither wrench nor gap")
-    found: tuple[Fraction, _Contacts] | None = None
+    known: tuple[Fraction, _Contacts] | None = None
     open_spans, remarks = [span], list[str]()
     for _ in range(_MOST_CELLS):
         if not open_spans:
@@ -69,7 +69,7 @@ def shapes_with_letter(
         value = simplest_between(rest.low + third, rest.high - third)
         domain = Domain(rest, value, _WIDTH, letter)
         try:
-            if found is None:
+            if known is None:
                 read_shapes(_at(document, letter, value))  # all keys, and threads
             numbers = _at(document, letter, Function.letter(domain))
             contacts = list(map(_contact, touches(listed_shapes(numbers)[0], Fraction(0))))
@@ -77,11 +77,11 @@ def shapes_with_letter(
             raise GraspError(f"for {letter} = {to_text(value)} a number divides by 0") from None
         except InputError as error:
             raise GraspError(f"for {letter} = {to_text(value)}: {error}") from None
-        found = found or (value, contacts)
-        if contacts != found[1]:
+        known = known or (value, contacts)
+        if contacts != known[1]:
             raise GraspError(
                 f"for {letter} = {to_text(value)} contacts are others than for "
-                f"{letter} = {to_text(found[0])}; expected shapes that touch in the same way for "
+                f"{letter} = {to_text(known[0])}; expected shapes that touch in the same way for "
                 "all values. Choose a shorter range"
             )
         for part in rest.around(domain.span):
@@ -94,8 +94,8 @@ def shapes_with_letter(
             f"the contacts have to be found in more than {_MOST_CELLS} parts of {span}; choose a "
             "shorter range"
         )
-    assert found  # for one value at least
-    made = _written(document, found[1])
+    assert known  # for one value at least
+    made = _written(document, known[1])
     ParametricQuestion(made, letter).check(span)
     return made, remarks
 
@@ -130,12 +130,12 @@ def _contact(touch: Touch) -> dict[str, Any]:
     }
 
 
-def _written(document: Mapping[str, Any], found: _Contacts) -> dict[str, Any]:
+def _written(document: Mapping[str, Any], listed: _Contacts) -> dict[str, Any]:
     """Return the assembly with these contacts, and with threads as contacts."""
     rows = [*document["bodies"], *document.get("ground", [])]
     values = PairValues(document, {row.get("name", "ground") for row in rows})
     contacts = []
-    for entry in found:
+    for entry in listed:
         shapes = entry["shapes"]
         contacts.append({k: x for k, x in entry.items() if k != "shapes"} | values(*shapes))
     for thread in document.get("threads", []):

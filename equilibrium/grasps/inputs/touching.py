@@ -41,10 +41,8 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Circle, Outline, Polygon, Segments
 from equilibrium.model.unit_normal import UnitNormal, unit_normal
 
-from .polygon import is_straight, orientation, place_on_segment, turn
+from .polygon import Segment, do_cross, is_straight, orientation, place_on_segment, turn
 
-#: An edge, the inside of the polygon to its left.
-_Edge = tuple[RationalVector, RationalVector]
 #: Lines of centres whose angle has a sine below this do not fix the place of a disc.
 _LEAST_SINE = Fraction(1, 100)
 
@@ -83,7 +81,7 @@ class Shape(NamedTuple):
         return () if isinstance(self.form, Circle | Plane) else self.form.extremes
 
     @property
-    def edges(self) -> list[_Edge]:
+    def edges(self) -> list[Segment]:
         """The edges, with the inside to their left."""
         if isinstance(self.form, Segments):
             return [edge for a, b in self.form.segments for edge in ((a, b), (b, a))]
@@ -183,19 +181,19 @@ def touching_polygons(
     shapes = [Shape(name, counter_clockwise(corners, name)) for name, corners in polygons.items()]
     fixed = [Shape(land, counter_clockwise(corners, land), False) for corners in ground]
     values = {"friction": friction, "stiffness": stiffness, "preload": preload}
-    found = touching([*shapes, *fixed], lambda *_: values, angle_tolerance=angle_tolerance)
+    contacts = touching([*shapes, *fixed], lambda *_: values, angle_tolerance=angle_tolerance)
     bodies = [RigidBody(x.name, x.form, heavy * area(x.form)) for x in shapes]  # type: ignore[arg-type]
-    return found.assembly(bodies, [x.form for x in fixed])
+    return contacts.assembly(bodies, [x.form for x in fixed])
 
 
 def counter_clockwise(corners: Iterable[Iterable[Any]], name: str) -> Polygon:
     """Return a simple polygon counter-clockwise, without the corners where it is straight."""
-    found = Polygon(corners).corners
+    listed = Polygon(corners).corners
     try:
-        turned = orientation(found)
+        turned = orientation(listed)
     except GraspError as error:
         raise GraspError(f"{name}: {error}") from None
-    bent = tuple(x for i, x in enumerate(found) if not is_straight(found, i))
+    bent = tuple(x for i, x in enumerate(listed) if not is_straight(listed, i))
     return Polygon(bent if turned > 0 else bent[::-1])
 
 
@@ -233,17 +231,17 @@ def touching(
     for name, times in Counter(shape.name for shape in listed if shape.is_body).items():
         if times > 1:
             raise GraspError(f"the body {name} is there twice; expected each name once")
-    found = list(touches(listed, close))
-    units = [_unit(touch, angle_tolerance) for touch in found]
+    places = list(touches(listed, close))
+    units = [_unit(touch, angle_tolerance) for touch in places]
     discs = {x.name: x.form.centre for x in listed if x.is_body and isinstance(x.form, Circle)}
     lines = {
         (touch.first.name, touch.second.name): unit.normal
-        for touch, unit in zip(found, units, strict=True)
+        for touch, unit in zip(places, units, strict=True)
         if {touch.first.name, touch.second.name} <= discs.keys()
     }
     centres = _placed(discs, lines)
     contacts, misses = list[tuple[str, str | None, Contact]](), list[Fraction]()
-    for (first, second, _, _, point), unit in zip(found, units, strict=True):
+    for (first, second, _, _, point), unit in zip(places, units, strict=True):
         normal, form, miss = unit.normal, first.form, Fraction(0)
         if isinstance(form, Circle):
             centre = centres.get(first.name, form.centre)
@@ -257,7 +255,7 @@ def touching(
         contacts.append((body, against, Contact(point, normal, **law)))
     return TouchingShapes(
         tuple(contacts),
-        tuple(found),
+        tuple(places),
         tuple(unit.angle_error for unit in units),
         centres,
         tuple(max(map(abs, difference(centres[name], place))) for name, place in discs.items()),
@@ -270,9 +268,9 @@ def touches(shapes: Sequence[Shape], gap: Fraction) -> Iterator[Touch]:
 
     Their numbers may be functions of a letter, if the gap is 0.
     """
-    for one, other in combinations(shapes, 2):
-        if (one.is_body or other.is_body) and not _are_apart(one, other, gap):
-            yield from _touches(one, other, gap)
+    for first, second in combinations(shapes, 2):
+        if (first.is_body or second.is_body) and not _are_apart(first, second, gap):
+            yield from _touches(first, second, gap)
 
 
 def into_body(
@@ -284,24 +282,24 @@ def into_body(
     return first.name, second.name if second.is_body else None, normal
 
 
-def _are_apart(one: Shape, other: Shape, gap: Fraction) -> bool:
+def _are_apart(first: Shape, second: Shape, gap: Fraction) -> bool:
     """Return whether the boxes around two shapes are farther apart than a gap."""
-    if isinstance(one.form, Plane) or isinstance(other.form, Plane):
+    if isinstance(first.form, Plane) or isinstance(second.form, Plane):
         return False
-    boxes = zip(*one.form.extremes, strict=True), zip(*other.form.extremes, strict=True)
+    boxes = zip(*first.form.extremes, strict=True), zip(*second.form.extremes, strict=True)
     return any(max(a) + gap < min(b) or max(b) + gap < min(a) for a, b in zip(*boxes, strict=True))
 
 
-def _touches(one: Shape, other: Shape, gap: Fraction) -> Iterator[Touch]:
-    if isinstance(other.form, Circle) and not (isinstance(one.form, Circle) and one.is_body):
-        one, other = other, one
-    if isinstance(one.form, Circle):
-        yield from _round_touches(one, other, one.form, gap)
+def _touches(first: Shape, second: Shape, gap: Fraction) -> Iterator[Touch]:
+    if isinstance(second.form, Circle) and not (isinstance(first.form, Circle) and first.is_body):
+        first, second = second, first
+    if isinstance(first.form, Circle):
+        yield from _round_touches(first, second, first.form, gap)
     else:
-        _refuse_overlap(one, other)
-        for point, (start, end) in dict.fromkeys(_edge_touches(one, other)):
+        _refuse_overlap(first, second)
+        for point, (start, end) in dict.fromkeys(_edge_touches(first, second)):
             along = difference(end, start)
-            yield Touch(one, other, (along[1], -along[0]), point=point)
+            yield Touch(first, second, (along[1], -along[0]), point=point)
 
 
 def _round_touches(disc: Shape, other: Shape, form: Circle, gap: Fraction) -> Iterator[Touch]:
@@ -365,20 +363,20 @@ def _placed(
     neighbours in it; a third line is met where the data allow it, as in rows of equal discs.
     """
     neighbours: dict[str, dict[str, RationalVector]] = {name: {} for name in discs}
-    for (one, other), normal in lines.items():
-        neighbours[one][other] = neighbours[other][one] = normal
+    for (first, second), normal in lines.items():
+        neighbours[first][second] = neighbours[second][first] = normal
     order, left = list[str](), {name: set(others) for name, others in neighbours.items()}
     # How many lines of each do not join the given centres: the fewer, the earlier it is placed.
     missed = Counter(
         name
-        for (one, other), normal in lines.items()
-        if turn(difference(discs[one], discs[other]), normal)
-        for name in (one, other)
+        for (first, second), normal in lines.items()
+        if turn(difference(discs[first], discs[second]), normal)
+        for name in (first, second)
     )
     while left:
         order.append(last := min(left, key=lambda name: (len(left[name]), -missed[name])))
-        for other in left.pop(last):
-            left[other].discard(last)
+        for second in left.pop(last):
+            left[second].discard(last)
     placed: dict[str, RationalVector] = {}
     for name in reversed(order):
         before = [(placed[x], n) for x, n in neighbours[name].items() if x in placed]
@@ -403,43 +401,43 @@ def _on_lines(
     return tuple(x + step * n for x, n in zip(start, along, strict=True))
 
 
-def _edge_touches(one: Shape, other: Shape) -> Iterator[tuple[RationalVector, _Edge]]:
+def _edge_touches(first: Shape, second: Shape) -> Iterator[tuple[RationalVector, Segment]]:
     """Yield points of contact, each with an edge that has the second shape to its left."""
     shared: set[RationalVector] = set()
-    for edge in other.edges:
-        for mine in one.edges:
+    for edge in second.edges:
+        for mine in first.edges:
             ends = _common(edge, mine)
             # Of the two edges of a thin wall the one counts that has the wall to its left.
             if len(ends) == 2 and dot(difference(*edge), difference(*mine)) < 0:
                 shared |= {*ends}
                 yield from ((point, edge) for point in ends)
-    for point, edge in _corners_on(one, other):
+    for point, edge in _corners_on(first, second):
         if point not in shared:
             yield point, edge
-    for point, (start, end) in _corners_on(other, one):
+    for point, (start, end) in _corners_on(second, first):
         if point not in shared:
             # Turned round it has the second shape to its left.
             yield point, (end, start)
 
 
-def _common(edge: _Edge, mine: _Edge) -> list[RationalVector]:
+def _common(edge: Segment, mine: Segment) -> list[RationalVector]:
     """Return the ends of what two edges have in common, two if both lie on one line."""
     ends = [p for p in mine if place_on_segment(*edge, p) is not None]
     ends += [p for p in edge if place_on_segment(*mine, p) is not None]
     return list(dict.fromkeys(ends))
 
 
-def _inside(point: RationalVector, edge: _Edge) -> bool:
+def _inside(point: RationalVector, edge: Segment) -> bool:
     """Return whether a point lies on an edge and is not one of its ends."""
     return point not in edge and place_on_segment(*edge, point) is not None
 
 
-def _corners_on(one: Shape, other: Shape) -> Iterator[tuple[RationalVector, _Edge]]:
+def _corners_on(first: Shape, second: Shape) -> Iterator[tuple[RationalVector, Segment]]:
     """Yield corners of one shape inside edges of another, from whose right side they come."""
-    for a, b in other.edges:
-        for corner in one.corners:
+    for a, b in second.edges:
+        for corner in first.corners:
             if _inside(corner, (a, b)):
-                beside = [end for edge in one.edges if corner in edge for end in edge]
+                beside = [end for edge in first.edges if corner in edge for end in edge]
                 if all(turn(difference(b, a), difference(end, a)) <= 0 for end in beside):
                     yield corner, (a, b)
 
@@ -451,10 +449,8 @@ def _refuse_overlap(one: Shape, other: Shape) -> None:
     inside is to the left of both.
     """
     if isinstance(one.form, Segments) and isinstance(other.form, Segments):
-        for (a, b), (c, d) in product(one.form.segments, other.form.segments):
-            ways = ((a, b, c), (a, b, d), (c, d, a), (c, d, b))
-            turns = [turn(difference(q, p), difference(r, p)) for p, q, r in ways]
-            if turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0:
+        for mine, theirs in product(one.form.segments, other.form.segments):
+            if do_cross(mine, theirs):
                 raise GraspError(f"a wall of {one.name} crosses one of {other.name}; move one")
         return
     for shape, second in ((one, other), (other, one)):
@@ -468,7 +464,7 @@ def _refuse_overlap(one: Shape, other: Shape) -> None:
                     )
 
 
-def _pieces(edge: _Edge, shape: Shape) -> Iterator[_Edge]:
+def _pieces(edge: Segment, shape: Shape) -> Iterator[Segment]:
     """Yield the parts of an edge between the places where it meets the edges of a shape.
 
     Where it runs along one of these, it meets another one at each of the ends.
@@ -488,7 +484,7 @@ def _pieces(edge: _Edge, shape: Shape) -> Iterator[_Edge]:
             yield low, high
 
 
-def _is_within(point: RationalVector, edge: _Edge, shape: Shape, is_thin: bool) -> bool:
+def _is_within(point: RationalVector, edge: Segment, shape: Shape, is_thin: bool) -> bool:
     """Return whether a point of an edge is inside a polygon, or on an edge that runs the same way.
 
     Args:
@@ -514,11 +510,11 @@ def _contains(point: RationalVector, shape: Shape) -> bool:
 
 def _unit(touch: Touch, tolerance: Any) -> UnitNormal:
     """Return the exact unit normal along a direction, or one near it."""
-    found = unit_normal(touch.way, "1/1000" if tolerance is None else tolerance)
-    if found.angle_error and tolerance is None:
+    normal = unit_normal(touch.way, "1/1000" if tolerance is None else tolerance)
+    if normal.angle_error and tolerance is None:
         raise GraspError(
             f"the normal between {touch.first.name} and {touch.second.name} is along "
             f"{vector_text(touch.way)}, whose length is not rational; give angle_tolerance to take "
             "one near it"
         )
-    return found
+    return normal

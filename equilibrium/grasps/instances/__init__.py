@@ -18,7 +18,7 @@ def bodies() -> dict[str, Traversable]:
 
 
 def _in(folders: Iterable[Traversable]) -> dict[str, Traversable]:
-    found = {path.name: path for folder in folders if folder.is_dir() for path in folder.iterdir()}
+    files = {path.name: path for folder in folders if folder.is_dir() for path in folder.iterdir()}
     return {
-        name.removesuffix(".json"): found[name] for name in sorted(found) if name.endswith(".json")
+        name.removesuffix(".json"): files[name] for name in sorted(files) if name.endswith(".json")
     }

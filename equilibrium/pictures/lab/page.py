@@ -197,10 +197,12 @@ def read_start(text: str) -> tuple[Grasp, Any]:
             f"{shown(text)} is not what a link of the lab has after #: 1|contacts|wrench"
         )
     contacts = []
-    for one in filter(None, parts[0].split(";")):
-        numbers = one.split(",")
+    for entry in filter(None, parts[0].split(";")):
+        numbers = entry.split(",")
         if len(numbers) != 7:
-            raise InputError(f"contact {shown(one)} needs seven numbers, with commas between them")
+            raise InputError(
+                f"contact {shown(entry)} needs seven numbers, with commas between them"
+            )
         friction, stiffness, preload = numbers[4:]
         contacts.append(Contact(numbers[:2], numbers[2:4], friction, stiffness, preload))
     return Grasp(contacts), read_wrench(parts[1].split(","))
