@@ -36,6 +36,12 @@ def products(rows: Floats, motion: Floats) -> Floats:
     return (rows.reshape(flat) @ motion[..., None]).reshape(rows.shape[:-1])
 
 
+def combined(factors: Floats, rows: Floats) -> Floats:
+    """Return the sums (..., n) of rows (..., t, n) times factors (..., t)."""
+    total: Floats = np.einsum("...t,...tn->...n", factors, rows)
+    return total
+
+
 def norms(slips: Floats) -> Floats:
     """Return the lengths of vectors along the tangents, which have moderate numbers."""
     lengths: Floats = np.sqrt((slips * slips).sum(axis=-1))
@@ -79,6 +85,11 @@ class FloatLaw:
         forces: Floats = self.preload - self.stiffness * products(self.normal, motion)
         return forces
 
+    def spring_forces_at(self, generators: Floats) -> Floats:
+        """Return ``q d_0 - k N . d`` (..., g, m) at homogeneous motions (..., g, n + 1)."""
+        forces: Floats = generators @ self.spring_rows().swapaxes(-1, -2)
+        return forces
+
     def slips(self, motion: Floats) -> Floats:
         """Return ``T . d`` (..., m, t) at motions (..., n)."""
         return products(self.tangents, motion)
@@ -89,8 +100,8 @@ class FloatLaw:
         Args:
             at: an index, of the contacts that the shares are of; all by default.
         """
-        pulls = (self.friction[at][..., None] * shares)[..., None, :] @ self.tangents[at]
-        wrenches: Floats = self.normal[at] + pulls[..., 0, :]
+        limits = self.friction[at][..., None] * shares
+        wrenches: Floats = self.normal[at] + combined(limits, self.tangents[at])
         return wrenches
 
     def least_works(self, virtual: Floats, most: Floats) -> Floats:

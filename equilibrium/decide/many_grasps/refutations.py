@@ -170,30 +170,28 @@ class _Cones:
 
     Attributes:
         low, high: (n, 4, m), bounds of spring forces.
-        on, off: (n, m), which contacts press, or are detached, everywhere.
+        on: (n, m), which contacts press everywhere.
         slip: (n, m), 1 or -1 where contacts slip one way everywhere, else 0.
         scale: (n, 4), about one over the size of the wrenches at a generator.
     """
 
     def __init__(self, q: Questions, cones: Floats) -> None:
-        self.load, self.normal, self.tangent = q.load, q.normal, q.tangents[:, :, 0]
-        self.friction, self.spread = q.friction, q.tilt[..., None] * q.reach
-        self.unit, self.rounding = q.unit, q.rounding
-        self.start, motions = cones[:, :, 0], cones[:, :, 1:].transpose(0, 2, 1)
-        sizes, slips = np.abs(motions), self.tangent @ motions
+        self.q, spread, tangents = q, q.tilt[..., None] * q.reach, q.tangents[:, :, 0]
+        self.start, motions = cones[:, :, 0], cones[:, :, 1:]
+        sizes, slips = np.abs(motions), motions @ tangents.transpose(0, 2, 1)
         # What is exactly 0 stays so.
         unsure, error = (
-            (self.spread + q.rounding * np.abs(row)) @ sizes for row in (self.tangent, self.normal)
+            sizes @ (spread + q.rounding * np.abs(row)).transpose(0, 2, 1)
+            for row in (tangents, q.normal)
         )
-        push = q.preload[:, :, None] * self.start[:, None, :]
-        force = push - q.stiffness[:, :, None] * (q.normal @ motions)
-        error = q.stiffness[:, :, None] * error + q.rounding * push
-        self.low = (force - error).transpose(0, 2, 1)
-        self.high = (force + error).transpose(0, 2, 1)
+        force = q.spring_forces_at(cones)
+        error = q.stiffness[:, None] * error
+        error += q.rounding * (self.start[..., None] * q.preload[:, None])
+        self.low, self.high = force - error, force + error
         self.on: Booleans = np.all(self.low >= 0, axis=1)
-        self.off: Booleans = np.all(self.high <= 0, axis=1)
-        self.slip = (slips > unsure).all(axis=2) * 1.0 - (slips < -unsure).all(axis=2)
-        self.pressed, self.loose = np.maximum(self.high, 0.0), ~(self.on | self.off)
+        off = np.all(self.high <= 0, axis=1)
+        self.slip = (slips > unsure).all(axis=1) * 1.0 - (slips < -unsure).all(axis=1)
+        self.pressed, self.loose = np.maximum(self.high, 0.0), ~(self.on | off)
         self.scale = 1 / (
             self.start * np.abs(q.load).max(axis=1)[:, None] + self.pressed.sum(axis=2) + 1e-300
         )
@@ -201,7 +199,7 @@ class _Cones:
     def take(self, rows: Any) -> _Cones:
         part = object.__new__(_Cones)
         for name, value in vars(self).items():
-            setattr(part, name, value if isinstance(value, float) else value[rows])
+            setattr(part, name, value.take(rows) if value is self.q else value[rows])
         return part
 
     def closed(self, motion: Floats) -> tuple[Booleans, Floats]:
@@ -231,9 +229,9 @@ class _Cones:
     def works(self, motion: Floats) -> tuple[Booleans, Floats]:
         """Return which virtual motions close, and a sum of wrenches with the least work."""
         m = self.on.shape[1]
-        normal, slip = products(self.normal, motion), products(self.tangent, motion)
+        q, slip = self.q, self.q.slips(motion)[..., 0]
         side = np.where(self.slip != 0, self.slip, np.sign(slip))
-        kappa = normal - self.friction * side * slip
+        kappa = q.least_works(motion, side * slip)
         weights = self.pressed * (self.on | self.loose & (kappa < 0))[:, None]
         # At infinity something must press: the load does not count there.
         idle = (self.start == 0) & (weights @ np.ones(m) == 0)
@@ -243,15 +241,15 @@ class _Cones:
             k = values.argmin(axis=1)
             weights[i, j, k] = self.pressed[i, j, k]
             idle[i, j] = self.pressed[i, j, k] == 0
-        load = products(self.load[:, None], motion)
+        load = products(q.load[:, None], motion)
         work = ((weights @ kappa[..., None])[..., 0] + self.start * load) * self.scale
         work[idle] = np.inf
         rows, j = np.arange(len(work)), work.argmin(axis=1)
         works = work[rows, j] >= 0
         near = np.flatnonzero(works)
         works[near] = self.take(near).hold(kappa[near], motion[near])
-        edges = self.normal - (self.friction * side)[..., None] * self.tangent
-        sums = (weights[rows, j][:, None] @ edges)[:, 0] + self.start[rows, j][:, None] * self.load
+        edges = q.unit_wrenches(-side[..., None])
+        sums = (weights[rows, j][:, None] @ edges)[:, 0] + self.start[rows, j][:, None] * q.load
         return works, sums * self.scale[rows, j][:, None]
 
     def hold(self, kappa: Floats, motion: Floats) -> Booleans:
@@ -260,17 +258,17 @@ class _Cones:
         Args:
             kappa: (n, m), the support of the contacts as computed.
         """
-        size = np.abs(motion)
-        rubs = self.friction[..., None]
-        doubt = (1 + rubs) * self.spread
-        doubt = doubt + self.rounding * (np.abs(self.normal) + rubs * np.abs(self.tangent))
+        q, size = self.q, np.abs(motion)
+        rubs = q.friction[..., None]
+        doubt = (1 + rubs) * q.tilt[..., None] * q.reach
+        doubt = doubt + q.rounding * (np.abs(q.normal) + rubs * np.abs(q.tangents[:, :, 0]))
         low = kappa - products(doubt, size)
         pressing = np.minimum(low[:, None] * self.low, low[:, None] * self.high)
         loose = np.minimum(low, 0.0)[:, None] * self.pressed
         terms = np.where(self.on[:, None], pressing, loose)
-        total = terms.sum(axis=2) + self.start * products(self.load[:, None], motion)
-        sizes = np.abs(terms).sum(axis=2) + self.start * products(np.abs(self.load)[:, None], size)
-        total -= (terms.shape[2] + 10) * self.unit * sizes
+        total = terms.sum(axis=2) + self.start * products(q.load[:, None], motion)
+        sizes = np.abs(terms).sum(axis=2) + self.start * products(np.abs(q.load)[:, None], size)
+        total -= (terms.shape[2] + 10) * q.unit * sizes
         holds: Booleans = np.all(np.where(self.start > 0, total > 0, total >= 0), axis=1)
         return holds
 
