@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import FrozenInstanceError
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+from functools import wraps
+from typing import TYPE_CHECKING, Any, ClassVar, ParamSpec, TypeVar
+
+P = ParamSpec("P")
+Returned = TypeVar("Returned")
 
 
 class ArrangementError(ValueError):
@@ -132,6 +136,50 @@ def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> 
     return AttributeError(f"{what} has no attribute {name!r}{hint}", name=name)
 
 
+def _unknown_argument(
+    function: Callable[..., Any], name: str, options: Iterable[str], synonyms: Mapping[str, str]
+) -> TypeError | None:
+    """Return the error for an argument that a function does not have, if one is given."""
+    from difflib import get_close_matches
+    from inspect import Parameter, signature
+
+    parameters = signature(function).parameters
+    known = [word for word in parameters if word != "self"]
+    if Parameter.VAR_KEYWORD in {parameter.kind for parameter in parameters.values()}:
+        return None
+    for word in options:
+        if word not in known:
+            near = " or ".join(get_close_matches(word, known, 2, _ALIKE))
+            use = synonyms.get(word) or near or f"one of {', '.join(known)}"
+            return TypeError(f"{name} has no argument {word}; use {use}")
+    return None
+
+
+def hints_on_arguments(
+    synonyms: Mapping[str, str],
+) -> Callable[[Callable[P, Returned]], Callable[P, Returned]]:
+    """Let a function answer an argument that it does not have with the one to use.
+
+    Args:
+        synonyms: other names of the field, each with what to write here.
+    """
+
+    def decorate(function: Callable[P, Returned]) -> Callable[P, Returned]:
+        @wraps(function)
+        def call(*values: P.args, **options: P.kwargs) -> Returned:
+            try:
+                return function(*values, **options)
+            except TypeError:
+                error = _unknown_argument(function, function.__name__, options, synonyms)
+                if error is None:
+                    raise
+            raise error
+
+        return call
+
+    return decorate
+
+
 class _Hints(type):
     """A class that answers an attribute or an argument which it does not have as its values do."""
 
@@ -145,15 +193,12 @@ class _Hints(type):
         def __call__(cls, *values: Any, **options: Any) -> Any:
             try:
                 return super().__call__(*values, **options)
-            except TypeError as error:
-                use = [
-                    f"{name}; use {cls._synonyms[name]}"
-                    for name in options
-                    if name in cls._synonyms
-                ]
-                if use and "unexpected keyword" in str(error):
-                    raise TypeError(f"{cls.__name__} has no argument {use[0]}") from None
-                raise
+            except TypeError:
+                known = {word: use for word, use in cls._synonyms.items() if use.isidentifier()}
+                error = _unknown_argument(cls.__init__, cls.__name__, options, known)
+                if error is None:
+                    raise
+            raise error
 
 
 class InstanceHintsMixin:

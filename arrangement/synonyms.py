@@ -233,3 +233,6 @@ SEGMENTS: Mapping[str, str] = {
     "show": "S.draw()",
     "vertices": "S.pieces().vertices",
 }
+
+#: Other words for the argument of what reads a file.
+FILES: Mapping[str, str] = dict.fromkeys(("data", "file", "filename", "name", "path"), "source")

@@ -11,6 +11,7 @@ import re
 from dataclasses import FrozenInstanceError
 from importlib import import_module
 from importlib.resources import files
+from inspect import signature
 from pathlib import Path
 from types import SimpleNamespace
 from typing import ClassVar
@@ -24,7 +25,7 @@ from arrangement import Arrangement, Segments, families, synonyms
 from arrangement.errors import HintsMixin
 from arrangement.library.families import FAMILIES
 from equilibrium import Contact, Grasp, ResistedSet, read_grasp, solve
-from equilibrium.model.synonyms import NAMES, STATICS
+from equilibrium.model.synonyms import ARGUMENTS, NAMES, STATICS
 
 
 class Painted(HintsMixin):
@@ -166,6 +167,37 @@ def test_another_word_for_an_argument_is_answered():
         Contact([0, 0], [0, 1], mu="1/2")
     with pytest.raises(TypeError, match="missing 1 required"):
         Contact([0, 0], [0, 1])
+    with pytest.raises(TypeError, match="Arrangement has no argument hyperplanes; use one of norm"):
+        Arrangement(hyperplanes=[[1, 0]])
+    with pytest.raises(TypeError, match="has no argument normal; use normals"):
+        Arrangement(normal=[[1, 0]])
+    with pytest.raises(TypeError, match=r"claim has no argument domain; use of$"):
+        proofs_check.claim("regions > 2", domain="simple")
+    with pytest.raises(TypeError, match=r"exercise has no argument marks; use points$"):
+        proofs_check.exercise("How many?", marks=2)
+
+
+@pytest.mark.parametrize("word", ARGUMENTS)
+def test_another_word_for_an_argument_of_solve_is_answered(word):
+    with pytest.raises(TypeError) as error:
+        solve(GRASP, **{word: 1})
+    head, _, use = str(error.value).partition("; use ")
+    assert head == f"solve has no argument {word}"
+    name, _, value = use.partition("=")
+    known = signature(solve).parameters | signature(equilibrium.resisted_values).parameters
+    if name not in known:
+        run(use, grasp=GRASP, friction="1/2", preload=1)
+    if value:
+        names = dict(zip(("f_x", "f_y", "torque"), LOAD, strict=True))
+        run(f"solve(GRASP, {name}={value})", solve=solve, GRASP=GRASP, **names)
+
+
+@pytest.mark.parametrize("word", synonyms.FILES)
+def test_another_word_for_a_file_is_answered(word):
+    for read in (read_grasp, arrangement.read_arrangement, equilibrium.read_assembly):
+        with pytest.raises(TypeError, match=f"{read.__name__} has no argument {word}; use source$"):
+            read(**{word: "paper-four-contacts-preload-1"})
+        assert "source" in signature(read).parameters
 
 
 def test_one_name_means_one_thing():
@@ -296,5 +328,7 @@ def test_assignments_are_answered(value, name, use):
 def test_other_errors_of_types_stay():
     with pytest.raises(TypeError, match="red is not painted"):
         Painted(color="red")
-    with pytest.raises(TypeError, match="unexpected keyword argument 'size'"):
+    with pytest.raises(TypeError, match=r"Painted has no argument size; use one of color$"):
         Painted(size=1)
+    with pytest.raises(TypeError, match="takes 2 positional arguments"):
+        solve(GRASP, LOAD, 1)

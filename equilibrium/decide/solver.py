@@ -19,6 +19,7 @@ import numpy as np
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
+from arrangement.errors import hints_on_arguments
 from arrangement.library.arguments import entries
 from arrangement.numbers import budget
 from arrangement.numbers.exact import Rational, RationalVector
@@ -30,6 +31,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Open, Refutation, Solution
 from equilibrium.model.subject import LoadCase, Subject, by_body, check_subject, no_load, read_load
+from equilibrium.model.synonyms import ARGUMENTS
 
 from .as_printed import PrintedVerdict, solve_as_printed
 from .engines import PlanarEngine, SpatialEngine, answered, new_memory
@@ -63,6 +65,7 @@ def solve(
 def solve(grasp: Grasp, wrench: Load, *, as_printed: Collection[str]) -> PrintedVerdict: ...
 
 
+@hints_on_arguments(ARGUMENTS)
 def solve(
     grasp: Subject,
     wrench: Load,
@@ -131,6 +134,7 @@ def solve(
     return solver.solve(wrench, time_limit=time_limit, shorten=shorten, nodes=nodes)
 
 
+@hints_on_arguments(ARGUMENTS)
 def solve_many(
     grasp: Grasp,
     wrenches: Iterable[Iterable[Rational]],

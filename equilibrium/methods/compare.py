@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from arrangement.console.progress import watched
+from arrangement.errors import hints_on_arguments
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown, to_text
 from equilibrium.core.contacts import FloatContacts
@@ -16,6 +17,7 @@ from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.subject import check_subject
+from equilibrium.model.synonyms import ARGUMENTS
 from equilibrium.wrench_sets.slice import FORCES, resisted_region
 
 from .grasp_wrench_space import GraspWrenchSpace
@@ -152,6 +154,7 @@ def check_cost(grasp: Grasp | Assembly) -> None:
     )
 
 
+@hints_on_arguments(ARGUMENTS)
 def compare(
     grasp: Grasp | Assembly,
     wrench: Iterable[Any] | Mapping[str, Iterable[Any]],

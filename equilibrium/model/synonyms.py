@@ -61,3 +61,19 @@ NAMES: Mapping[str, str] = {
     for words in STATICS.values()
     for word, name in words.items()
 }
+
+_WRENCH = "wrench=[f_x, f_y, torque]"
+
+#: Other words for arguments of `equilibrium.solve` and what is computed as it is.
+ARGUMENTS: Mapping[str, str] = {
+    **dict.fromkeys(
+        ("direction", "external_wrench", "f", "force", "forces", "load", "moment", "tau"), _WRENCH
+    ),
+    **dict.fromkeys(("torque", "w", "weight", "gravity", "wrenches"), _WRENCH),
+    **dict.fromkeys(("contacts", "assembly", "system"), "grasp"),
+    **dict.fromkeys(("friction", "mu"), "grasp.with_friction(friction)"),
+    "preload": "grasp.with_preload(preload)",
+    "timeout": "time_limit",
+    "parameter": "letter",
+    "literal": "as_printed",
+}

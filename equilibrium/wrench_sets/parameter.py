@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.plugins import attached
+from arrangement.errors import hints_on_arguments
 from arrangement.library.files.json_files import Source
 from arrangement.numbers.exact import rational, shown, simplest_between, to_text
 from arrangement.numbers.functions import Domain, Function, Span
@@ -46,6 +47,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.parameter import ParametricQuestion, interval
 from equilibrium.model.rows import ContactRow, ContactRows
 from equilibrium.model.solution import Leaf, Solution, with_leaves
+from equilibrium.model.synonyms import ARGUMENTS
 from equilibrium.plane.search.motion_regions import HALF_SPACE
 from equilibrium.plane.search.region_states import StateSplits, TooManyParts
 
@@ -197,6 +199,7 @@ class ResistedValues(ReprMixin):
         }
 
 
+@hints_on_arguments(ARGUMENTS)
 def resisted_values(
     source: Source | ParametricQuestion,
     low: Any,

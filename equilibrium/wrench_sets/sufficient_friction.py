@@ -12,6 +12,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.console.number_form import JsonMixin
+from arrangement.errors import hints_on_arguments
 from arrangement.library.files.json_files import Source
 from arrangement.numbers.functions import Span
 from equilibrium.grasps.inputs.parameter import question_document
@@ -20,6 +21,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, chosen_contacts
 from equilibrium.model.parameter import ParametricQuestion
 from equilibrium.model.subject import Subject
+from equilibrium.model.synonyms import ARGUMENTS
 
 from .parameter import TOLERANCE, ResistedValues, proved_values
 
@@ -84,6 +86,7 @@ def _first_not(spans: Iterable[Span], whole: Span) -> Fraction | None:
     return None if (reached, has or not whole.has_high) == (whole.high, True) else reached
 
 
+@hints_on_arguments(ARGUMENTS)
 def sufficient_friction(
     source: Source, contacts: Iterable[int], wrench: Any = None, tolerance: Any = TOLERANCE
 ) -> SufficientFriction:

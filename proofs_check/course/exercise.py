@@ -26,7 +26,7 @@ from pathlib import Path
 from typing import Any
 
 from arrangement.console.number_form import ReprMixin
-from arrangement.errors import InputError
+from arrangement.errors import InputError, hints_on_arguments
 from arrangement.library.files.json_files import (
     Source,
     check_keys,
@@ -119,6 +119,7 @@ class GradedAnswer:
     mistake: str
 
 
+@hints_on_arguments({"answer": "of", "kind": "of", "marks": "points", "text": "question"})
 def exercise(
     question: str, *, of: str = "number", points: int = 1, id: str | None = None
 ) -> Callable[[Callable[[Any], Any]], Exercise]:

@@ -29,6 +29,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.counts.whitney import why_none_is_bounded
 from arrangement.duals.zonohedron import dual_polyhedron
+from arrangement.errors import hints_on_arguments
 from arrangement.library.census import MOST_LINES
 from proofs_check.errors import OwnClaimError
 from proofs_check.instances.arrangements import census_cases, line_cases
@@ -55,6 +56,16 @@ from .shrink import smallest_case
 DEFAULT_DOMAIN = "distinct"
 
 
+@hints_on_arguments(
+    {
+        **dict.fromkeys(("domain", "family", "on", "over"), "of"),
+        **dict.fromkeys(("condition", "given", "where"), "when"),
+        **dict.fromkeys(("name", "title"), "id"),
+        **dict.fromkeys(("trials", "tries"), "samples"),
+        **dict.fromkeys(("lines", "m"), "planes"),
+        "text": "statement",
+    }
+)
 def claim(
     statement: str = "",
     *,

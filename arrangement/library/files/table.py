@@ -13,13 +13,14 @@ from typing import Any
 from arrangement.arrangement import Arrangement
 from arrangement.console.plugins import added, named
 from arrangement.console.writing import document_text, write_text_atomically
-from arrangement.errors import InputError
+from arrangement.errors import InputError, hints_on_arguments
 from arrangement.library.files.documents import Format
 from arrangement.library.files.json_files import Source, parse_json, read_text
 from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.planes.equation_text import is_equation
 from arrangement.segments import Segments
+from arrangement.synonyms import FILES
 
 from . import documents
 
@@ -50,6 +51,7 @@ _NORMALS = re.compile(r"\s*[\[(]\s*[\[(][-+0-9./,;()\[\]\s]+")
 _BY_ENDING = {ending: form for form in FORMATS.values() for ending in form.endings}
 
 
+@hints_on_arguments(FILES)
 def read_arrangement(source: Source) -> Arrangement:
     """Read an arrangement from a path, ``"-"`` (stdin), a built-in name or a mapping.
 

@@ -9,9 +9,11 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+from arrangement.errors import hints_on_arguments
 from arrangement.library.files.json_files import Source, check_keys, check_list
 from arrangement.numbers import budget
 from arrangement.numbers.exact import to_text
+from arrangement.synonyms import FILES
 from equilibrium.grasps.files import decimal_text, has_decimals, read_contacts
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import VALUES
@@ -105,6 +107,7 @@ def read_any(
     return completed(conversion.of_points(grasp.spread(conversion.grasp), grasp.groups), extras)
 
 
+@hints_on_arguments(FILES)
 def read_grasp(source: Source) -> Grasp:
     """Read a grasp from a path, ``"-"`` (stdin), a built-in name or a mapping, as commands do.
 
@@ -144,6 +147,7 @@ def with_unit_normals(
     return {**document, **known, "contacts": contacts}, conversion
 
 
+@hints_on_arguments(FILES)
 def read_assembly(source: Source) -> Assembly:
     """Read an assembly from a path, ``"-"`` (stdin) or a mapping; wrenches in it are left out.
 
