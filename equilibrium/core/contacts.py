@@ -53,9 +53,7 @@ class FloatContacts(FloatLaw):
         number: rounds, to floats or to other numbers of Python.
 
     Attributes:
-        spring: (m, n + 1), the row ``(preload, -stiffness N)``.
-        normal: (m, n); tangents: (m, 1 or 2, n); tangent: (m, n), the first of them.
-        stiffness, preload, friction: (m,); pull: friction times the first tangent.
+        tangent: (m, n), the first tangents; pull: friction times that.
         length: a typical distance of the contacts from the origin.
     """
 
@@ -71,7 +69,6 @@ class FloatContacts(FloatLaw):
         table = table.reshape(m, n * (1 + rows.tangents) + 3)
         tangents = table[:, n:-3].reshape(m, rows.tangents, n)
         super().__init__(table[:, :n].copy(), tangents, *table[:, -3:].T)
-        self.spring = self.spring_rows()
         self.tangent = self.tangents[:, 0]
         self.pull = self.friction[:, None] * self.tangent
         points = np.array([[nearest(x) for x in point] for point in rows.points])

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import cached_property
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -75,8 +76,9 @@ class FloatLaw:
             self.preload / force,
         )
 
-    def spring_rows(self) -> Floats:
-        """Return ``(q, -k N)`` (..., m, n + 1): forces of springs, at motions with a 1 first."""
+    @cached_property
+    def spring(self) -> Floats:
+        """The rows ``(q, -k N)`` (..., m, n + 1): forces of springs, at motions with a 1 first."""
         springs = -self.stiffness[..., None] * self.normal
         return np.concatenate([self.preload[..., None], springs], axis=-1)
 
@@ -87,7 +89,7 @@ class FloatLaw:
 
     def spring_forces_at(self, generators: Floats) -> Floats:
         """Return ``q d_0 - k N . d`` (..., g, m) at homogeneous motions (..., g, n + 1)."""
-        forces: Floats = generators @ self.spring_rows().swapaxes(-1, -2)
+        forces: Floats = generators @ self.spring.swapaxes(-1, -2)
         return forces
 
     def slips(self, motion: Floats) -> Floats:

@@ -49,7 +49,7 @@ def tresca_point(relaxation: Relaxation) -> Point | None:
     # Unknowns: the motion, the normal forces x, and s >= |T . d|.
     rows = np.block(
         [
-            [relaxation.spring_rows()[:, 1:], -one, none],
+            [relaxation.spring[:, 1:], -one, none],
             [np.zeros((m, n)), -one, none],
             [slip, none, -one],
             [-slip, none, -one],

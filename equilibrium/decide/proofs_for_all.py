@@ -204,9 +204,8 @@ def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
             line[place] += value
         return line
 
-    springs = rows.spring_rows()
     for a, i in enumerate(holding):
-        normal, mu, (preload, *yields) = rows.normal[i], rows.least[i], springs[i]
+        normal, mu, (preload, *yields) = rows.normal[i], rows.least[i], rows.spring[i]
         rubs = slice(friction.start + a * (d - 1), friction.start + (a + 1) * (d - 1))
         balance[:, motion] += np.outer(normal, yields)
         balance[:, away.start + a] -= normal
@@ -224,7 +223,7 @@ def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
             least.append(row((away.start + a, sign), (sizes.start + a, -1)))
             limits.append(0.0)
     for a, i in enumerate(loose):
-        preload, *yields = springs[i]
+        preload, *yields = rows.spring[i]
         for way in rows.around:
             slip = rows.least[i] * rows.stiffness[i] * (way @ rows.tangents[i])
             least.append(row((motion, yields + slip), (adds.start + a, -1)))

@@ -195,8 +195,7 @@ class MotionRegions:
 
     def _floats(self, generators: Floats) -> Regions:
         c = self.contacts.floats
-        slip = generators[..., 1:] @ c.tangent.T
-        spring = generators @ c.spring.T
+        slip, spring = generators[..., 1:] @ c.tangent.T, c.spring_forces_at(generators)
         if not len(self.rows):
             none = np.zeros(len(generators), dtype=np.intp)
             return Regions(generators[..., 0], spring, slip, np.zeros(spring.shape[:2]), none)
