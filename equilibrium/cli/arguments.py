@@ -29,15 +29,10 @@ _SPANNING = ("fx", "fy", "tau")
 #: More incidences than this that rounding kept are only counted.
 _MOST_KEPT = 6
 
-#: Of errors of files, what commands have for it: a letter or a name in place of a number, a load.
-_REMEDIES = {
-    r" is '([^A-Za-z' ]*[A-Za-z][^A-Za-z' ]*|[A-Za-z]+)', which is not an exact number": (
-        "One letter, such as t, is for `resisted --parameter t=0..1`"
-    ),
-    r"unknown keys? '(load|force|wrench|weight)'": (
-        "A load is an option: --wrench F_X F_Y TAU, --force F_X F_Y or --weight W"
-    ),
-}
+#: A letter or a name in place of a number, in an error.
+_LETTER = re.compile(
+    r" is '([^A-Za-z' ]*[A-Za-z][^A-Za-z' ]*|[A-Za-z]+)', which is not an exact num"
+)
 
 #: Keys of documents that have units.
 _STATING = {"grasp", "assembly"}
@@ -180,11 +175,16 @@ def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:
 
 
 def applied(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector:
-    """Return the wrench that `add_applied` has read."""
+    """Return the wrench that `add_applied` has read, else that of the file."""
     wrench = force_given(arguments, grasp.dimension) or arguments.wrench
+    if wrench is None and isinstance(arguments.grasp, Mapping):
+        wrench = arguments.grasp.get("wrench")
     if wrench is None:
-        raise GraspError("there is no wrench; give one of --wrench, --force and --weight")
-    return tuple(wrench)
+        raise GraspError(
+            "there is no wrench; give one of --wrench, --force and --weight, or write the key "
+            '"wrench" into the file'
+        )
+    return grasp.read_wrench(wrench)
 
 
 def has_load(arguments: argparse.Namespace) -> bool:
@@ -294,10 +294,10 @@ def read(arguments: argparse.Namespace) -> Grasp:
             arguments.grasp, round_normals=arguments.round_normals, as_given=arguments.as_given
         )
     except InputError as error:
-        for pattern, remedy in _REMEDIES.items():
-            if re.search(pattern, str(error)):
-                raise GraspError(f"{error}. {remedy}") from None
-        raise
+        if not _LETTER.search(str(error)):
+            raise
+        use = "One letter, such as t, is for `resisted --parameter t=0..1`"
+        raise GraspError(f"{error}. {use}") from None
     tell_rounding(conversion)
     arguments.remarks = conversion.remarks
     # In space proofs are long, and of converted data many roundings are asked.

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import counted
 from arrangement.console.safe_text import printable
-from arrangement.numbers.exact import shown
 from equilibrium.model.contact import pyramid_words
 from equilibrium.model.displacement import displacement_words, read_displacement
 from equilibrium.model.errors import GraspError
@@ -54,13 +53,7 @@ def add_command_verify(commands: Any) -> None:
 def _verify(arguments: argparse.Namespace) -> int:
     from equilibrium.certificate.reading import parameter_of
     from equilibrium.grasps.files import read_certificate
-    from equilibrium.grasps.inputs.csv_file import is_table
 
-    if is_table(arguments.certificate):
-        raise GraspError(
-            f"{shown(arguments.certificate)} is a table of contacts; expected a certificate, which "
-            "`equilibrium solve GRASP LOAD --certificate CERT.json` writes"
-        )
     check = _by_verified_checker if arguments.verified else _by_python_checker
     letter = ""
     if not arguments.verified:

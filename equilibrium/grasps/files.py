@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from arrangement.errors import InputError, OutOfReachError
 from arrangement.library.files.json_files import (
     Source,
     check_document,
@@ -80,6 +81,8 @@ def read_contacts(
 ) -> dict[str, Any]:
     """Read a document that has the key ``contacts``, or one of the kinds; a bare list is one, too.
 
+    The version of the schema may be omitted where there are contacts.
+
     Args:
         floats: reads a decimal, for data whose conversion is the purpose; None refuses it.
 
@@ -106,7 +109,9 @@ def read_contacts(
     if isinstance(document, list) and all(
         isinstance(entry, dict) and {"normal", "angle"} & entry.keys() for entry in document
     ):
-        document = {"schema_version": 1, "contacts": document}
+        document = {"contacts": document}
+    if isinstance(document, dict) and "contacts" in document:
+        document.setdefault("schema_version", 1)  # there is no other
     keys = {"normals", "points", *kinds} & set(document if isinstance(document, dict) else ())
     if keys == {"normals"}:
         raise GraspError(
@@ -125,7 +130,15 @@ def read_certificate(source: Source) -> dict[str, Any]:
     """Return the document of a certificate, strictly read but not yet checked."""
     # Of old versions the checker says what they are.
     versions = range(1, SCHEMA_VERSION + 1)
-    return read_document(source, ("certificate",), kind="bytes of a certificate", versions=versions)
+    kind = "bytes of a certificate"
+    try:
+        return read_document(source, ("certificate",), kind=kind, versions=versions)
+    except OutOfReachError:
+        raise
+    except InputError as error:
+        raise CertificateError(
+            f"{error}. `equilibrium solve GRASP LOAD --certificate CERT.json` writes a certificate"
+        ) from None
 
 
 def verify(

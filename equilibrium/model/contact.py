@@ -252,6 +252,12 @@ def adhesion_wrench(contacts: Iterable[Any], size: int) -> RationalVector:
     return total
 
 
+def check_contacts(entries: Any) -> None:
+    """Refuse a contact of a document that has other keys, or lacks some."""
+    for i, entry in enumerate(check_list(entries, "contacts")):
+        check_keys(entry, _REQUIRED, _OPTIONAL, f"contacts[{i}]")
+
+
 def contact_of(entry: Any, index: int) -> Contact:
     """Return one contact of a document; errors say which."""
     name = f"contacts[{index}]"

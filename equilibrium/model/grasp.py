@@ -18,7 +18,7 @@ from arrangement.console.plugins import attached
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import HintsMixin, hints_on_assignment, missing_item
 from arrangement.library.arguments import entries, whole
-from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.library.files.json_files import check_all, check_keys, check_list
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, dot, rational, rational_vector, shown
 from arrangement.numbers.linear.rank import cross
@@ -28,6 +28,7 @@ from .contact import (
     WRENCH_SIZES,
     Contact,
     adhesion_wrench,
+    check_contacts,
     contact_of,
     groups_of,
     joined,
@@ -47,6 +48,18 @@ if TYPE_CHECKING:
 #: The coordinates of the space of motions in the plane.
 MOTIONS = ("x", "y", "r")
 _FORCES = {2: "f_x, f_y and tau", 3: "f_x, f_y, f_z, tau_x, tau_y and tau_z"}
+#: Keys that documents do not have, with what to write.
+_OTHER_KEYS = {
+    **dict.fromkeys(
+        ("load", "loads", "force", "forces", "wrench", "wrenches", "weight", "gravity"),
+        "A load is the key wrench of a file, such as [0, -1, 0], or an option: --wrench F_X F_Y "
+        "TAU, --force F_X F_Y or --weight W",
+    ),
+    **dict.fromkeys(
+        ("friction", "mu", "preload", "stiffness"),
+        "Friction, stiffness and preload are keys of each contact",
+    ),
+}
 _PLACES = {2: "the plane", 3: "space"}
 
 
@@ -419,7 +432,12 @@ class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
                 "reads it, and `equilibrium solve`, `resisted`, `info` and `draw` take it"
             )
         optional = ("description", "units", "outline", "data_error")
-        check_keys(document, ("schema_version", "contacts"), optional, "the grasp")
+        required = ("schema_version", "contacts")
+        listed = document.get("contacts", []) if isinstance(document, Mapping) else []
+        check_all(
+            lambda: check_keys(document, required, optional, "the grasp", _OTHER_KEYS),
+            lambda: check_contacts(listed),
+        )
         version = document["schema_version"]
         if type(version) is not int or version != 1:
             raise GraspError(f"schema_version is {version!r}; this version reads 1")
@@ -428,8 +446,8 @@ class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
         units = Units.from_dict(document["units"]) if "units" in document else None
         outline = read_outline(document["outline"]) if "outline" in document else None
         error = DataError.from_dict(document["data_error"]) if "data_error" in document else None
-        listed = [contact_of(entry, i) for i, entry in enumerate(contacts)]
-        return cls(listed, units, outline, error)
+        made = [contact_of(entry, i) for i, entry in enumerate(contacts)]
+        return cls(made, units, outline, error)
 
 
 def read_wrench(values: Iterable[Any], dimension: int = 2) -> RationalVector:

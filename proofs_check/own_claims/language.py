@@ -75,9 +75,19 @@ _TOKEN = re.compile(r"\w+|\s+|[<>=!]=|.", re.DOTALL)
 _SIGNS = {"^": "**", "=": "==", "≤": "<=", "≥": ">=", "≠": "!="}
 #: Of texts that cannot be read, what they may have, each with what to write.
 _REMEDIES = {
+    r"\b(?:number|count|regions|vertices|edges|faces|lines|planes) of\b": (
+        "words for a quantity",
+        "regions, V, E, F or m",
+    ),
+    r"\b(?:if|then|for|forall|when|whenever|where|with|unless|given|assuming)\b|=>|\u21d2": (
+        "a condition",
+        "m >= 4 implies regions <= m**2, or regions <= m**2 with --when 'm >= 4'",
+    ),
+    r"\b(?:is|are|equals?|at most|at least|less|more)\b": (
+        "words for a comparison",
+        "regions <= m**2",
+    ),
     r"[\u00b9\u00b2\u00b3\u2070-\u209f]": ("a raised or lowered number", "m**2"),
-    r"\bif\b|\bthen\b|=>|\u21d2": ("a condition", "simple implies regions <= m**2"),
-    r"\bnumber of\b": ("words for a quantity", "regions, not number of regions"),
     r"[\w)]\s*!(?!=)": ("a factorial", "factorial(m)"),
     r"\d\s*(?!implies|and|or|in|not)[A-Za-z(]|\)\s*\(": ("a product without its sign", "2*m"),
 }

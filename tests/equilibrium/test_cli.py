@@ -6,7 +6,7 @@ import json
 import pytest
 
 from arrangement.numbers.exact import number_text
-from equilibrium import read_grasp, solve
+from equilibrium import Contact, Grasp, read_grasp, solve
 from equilibrium.cli.program import main
 from equilibrium.grasps.inputs.random import random_grasp
 
@@ -268,6 +268,33 @@ def test_methods_are_chosen_by_name(capsys):
     assert names == ["complete", "cones", "weak"]
 
 
+def test_load_of_a_file_is_taken_where_none_is_given(capsys, tmp_path):
+    contacts = [
+        {"position": [x, 0], "normal": [-x, 0], "mu": 0.5, "normal_force": 1} for x in (-1, 1)
+    ]
+    path = tmp_path / "a.json"
+    path.write_text(json.dumps({"contacts": contacts, "wrench": [0, -3, 0]}))
+    assert main(["solve", str(path)]) == 1
+    assert main(["solve", str(path), "--wrench", "0,-1,0"]) == 0
+    assert main(["resisted", str(path), "--friction", "1", "2"]) == 0
+    assert read_grasp(path) == Grasp(Contact([x, 0], [-x, 0], "1/2", preload=1) for x in (-1, 1))
+    path.write_text(json.dumps({"contacts": contacts}))
+    capsys.readouterr()
+    assert main(["solve", str(path)]) == 2
+    assert 'or write the key "wrench" into the file' in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "content", ["resisted: 1 family", "x,y,nx,ny,mu\n", "", '{"verdict": "resisted"}', "[]"]
+)
+def test_what_is_no_certificate_says_what_writes_one(capsys, tmp_path, content):
+    path = tmp_path / "a.txt"
+    path.write_text(content)
+    assert main(["verify", str(path)]) == 2
+    answer = "`equilibrium solve GRASP LOAD --certificate CERT.json` writes a certificate"
+    assert answer in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("name", "content", "answer"),
     [
@@ -280,7 +307,14 @@ def test_methods_are_chosen_by_name(capsys):
         (
             "a.json",
             '{"schema_version": 1, "contacts": [], "load": ["0", "-1", "0"]}',
-            "A load is an option: --wrench F_X F_Y TAU",
+            "A load is the key wrench of a file, such as [0, -1, 0], or an option: --wrench F_X",
+        ),
+        (
+            "a.json",
+            '{"contacts": [{"pos": [0, 0], "n": [0, 1], "share_of": 1}], "mu": 1, "about": 2}',
+            "the unknown keys 'mu', 'about'; known keys are schema_version, contacts, description, "
+            "units, outline, data_error. Friction, stiffness and preload are keys of each contact; "
+            "contacts[0] has the unknown key 'share_of', and lacks \"friction\"; known keys are",
         ),
         (
             "a.json",

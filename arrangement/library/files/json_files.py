@@ -18,6 +18,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 
 from arrangement.console.plugins import added, named
@@ -80,9 +81,17 @@ def check_document(
 
 
 def check_keys(
-    mapping: Any, required: Iterable[str], optional: Iterable[str], where: str
+    mapping: Any,
+    required: Iterable[str],
+    optional: Iterable[str],
+    where: str,
+    remedies: Mapping[str, str] = MappingProxyType({}),
 ) -> Mapping[str, Any]:
-    """Check that `mapping` is a mapping with all required keys and no unknown ones; return it."""
+    """Check that `mapping` is a mapping with all required keys and no unknown ones; return it.
+
+    Args:
+        remedies: of some unknown keys, what to write.
+    """
     if not isinstance(mapping, Mapping):
         raise InputError(f"{where} is {kind_of(mapping)}; expected a JSON object")
     required = list(required)
@@ -92,8 +101,9 @@ def check_keys(
     if unknown:
         some = f"key{'s' * (len(unknown) > 1)} {', '.join(unknown[:4])}"
         lacks = f", and lacks {', '.join(missing)}" if missing else ""
+        use = ". ".join(["", *dict.fromkeys(remedies[key] for key in mapping if key in remedies)])
         raise InputError(
-            f"{where} has the unknown {some}{lacks}; known keys are {', '.join(known)}"
+            f"{where} has the unknown {some}{lacks}; known keys are {', '.join(known)}{use}"
         )
     if missing:
         due = "they are" if missing[1:] else "it is"
@@ -102,6 +112,18 @@ def check_keys(
     if not isinstance(mapping.get("description", ""), str):
         raise InputError(f"the description of {where} is not a text; write a string")
     return mapping
+
+
+def check_all(*checks: Callable[[], object]) -> None:
+    """Run checks, and raise one error of all that they refuse."""
+    refused = []
+    for check in checks:
+        try:
+            check()
+        except InputError as error:
+            refused.append(str(error))
+    if refused:
+        raise InputError("; ".join(refused))
 
 
 def check_list(value: Any, where: str, length: int | None = None) -> list[Any]:

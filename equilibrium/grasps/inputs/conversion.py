@@ -159,7 +159,20 @@ def assembled(
 
 #: What a contact may have in a file besides its values, see `completed`.
 EXTRAS = ("pad",)
-_OTHER_NAMES = {"position": "point", "force": "preload"}
+#: Usual names of what contacts have, in tables and in lists of contacts, in small letters.
+USUAL = {
+    name: value
+    for value, names in {
+        "angle": "normal_angle normal_direction theta",
+        "friction": "mu µ μ cof friction_coefficient friction_coeff coefficient_of_friction",
+        "stiffness": "k normal_stiffness spring_constant",
+        "preload": "q force normal_force f_n fn",
+    }.items()
+    for name in names.split()
+}
+_OTHER_NAMES = (
+    USUAL | dict.fromkeys(("location", "p", "pos", "position"), "point") | {"n": "normal"}
+)
 #: Points of a pad as shares of its radius along the tangents, with shares of stiffness, preload and
 #: adhesion: while all touch, force and moment are those of an evenly pressed segment, or disc.
 #: Friction of a disc holds 2/3 of mu q r about the normal, these points 1/2 of it.
@@ -169,21 +182,29 @@ _PADS: dict[int, dict[tuple[int, ...], str]] = {
 }
 
 
-def contact_entry(entry: Any, name: str) -> Any:
-    """Return an entry of a list of contacts with the names of a grasp document.
-
-    Lists of engines have ``position``, ``normal`` and ``force``: the normal force, or a vector of
-    which the share along the normal is the preload. ``angle`` in degrees stands for a normal in the
-    plane. Anything else is left for whoever reads it.
-    """
+def with_usual_names(entry: Any, name: str) -> Any:
+    """Return an entry of a list of contacts with the names of a grasp document, if it is one."""
     if not isinstance(entry, Mapping):
         return entry
     renamed = dict(entry)
-    for other, usual in _OTHER_NAMES.items():
-        if other in renamed:
-            if usual in renamed:
-                raise GraspError(f"{name} has {other} and {usual}; keep one")
-            renamed[usual] = renamed.pop(other)
+    for other in entry:
+        usual = _OTHER_NAMES.get(str(other).lower(), other)
+        if usual != other and usual in renamed:
+            raise GraspError(f"{name} has {other} and {usual}; keep one")
+        renamed[usual] = renamed.pop(other)
+    return renamed
+
+
+def contact_entry(entry: Any, name: str) -> Any:
+    """Return an entry of a list of contacts as a grasp document has it.
+
+    Usual names are read, too. Lists of engines have ``position``, ``normal`` and ``force``: the
+    normal force, or a vector of which the share along the normal is the preload. ``angle`` in
+    degrees stands for a normal in the plane. Anything else is left for whoever reads it.
+    """
+    renamed = with_usual_names(entry, name)
+    if not isinstance(renamed, dict):
+        return renamed
     if "angle" in renamed:
         if "normal" in renamed:
             raise GraspError(f"{name} has angle and normal; keep one")

@@ -37,7 +37,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, ask_contacts
 from equilibrium.model.labels import Units
 
-from .conversion import DEFAULT_TOLERANCE, EXTRAS, Conversion, completed, direction_of
+from .conversion import DEFAULT_TOLERANCE, EXTRAS, USUAL, Conversion, completed, direction_of
 from .incidences import converted
 from .rounding import Rounding, rounding
 
@@ -52,18 +52,7 @@ BODIES = ("body_a", "body_b")
 GROUND = ("", "ground", "fixed", "world")
 _KNOWN = (*BODIES, *_REQUIRED, *_IN_SPACE, _ANGLE, *VALUES[1:], *EXTRAS)
 #: Usual names of columns; those of coordinates and normals have the letter of an axis.
-_USUAL = {
-    name: column
-    for column, names in {
-        _ANGLE: "normal normal_angle normal_direction theta",
-        "friction": "mu µ μ cof friction_coefficient friction_coeff coefficient_of_friction",
-        "stiffness": "k normal_stiffness spring_constant",
-        "preload": "q force normal_force f_n fn",
-        "tau": "torque moment",
-        BODIES[0]: "body",
-    }.items()
-    for name in names.split()
-}
+_USUAL = USUAL | {"normal": _ANGLE, "torque": "tau", "moment": "tau", "body": BODIES[0]}
 _USUAL_AXES = {"": "p pos position point contact", "normal_": "n normal", "f_": "f force"}
 #: A name, and a unit in brackets or, of those known, behind a bar.
 _BRACKETED = re.compile(r"(.*?)\s*[\[(]\s*([^\])]*?)\s*[\])]")

@@ -64,6 +64,7 @@ def read_any(
     Args:
         source: a table, by its ending ``.csv`` or its first line (see `csv_file`); others are
             documents, or lists of contacts as engines print them (see `conversion.contact_entry`).
+            A load in it, under the key "wrench", is for commands, and left out here.
         round_normals: replace normals of a document by near unit vectors; those of tables always
             are, and those of documents with decimals or angles.
         angle_tolerance, tolerance, as_given: as in `read_csv`, where normals are rounded.
@@ -83,7 +84,8 @@ def read_any(
     angles = any(isinstance(entry, Mapping) and "angle" in entry for entry in contacts)
     contacts = [contact_entry(entry, f"contacts[{i}]") for i, entry in enumerate(contacts)]
     extras = [extras_of(entry) for entry in contacts]
-    document = {**document, "contacts": contacts}
+    document = {key: value for key, value in document.items() if key != "wrench"}
+    document["contacts"] = contacts
     if not (round_normals or angles or has_decimals(document)):
         return completed(Conversion(Grasp.from_dict(document), (), ()), extras)
     for i, contact in enumerate(contacts):

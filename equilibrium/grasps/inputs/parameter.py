@@ -7,12 +7,13 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from arrangement.library.files.json_files import Source, read_text
+from arrangement.library.files.json_files import Source, check_list, read_text
 from equilibrium.grasps.files import decimal_text, read_contacts
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.parameter import ParametricQuestion
 
+from .conversion import with_usual_names
 from .csv_file import BODIES, Table, is_table, pair_of
 
 _RANGE = re.compile(r"\s*([A-Za-z]\w*)\s*=\s*(\S+?)\s*\.\.\s*(\S+?)\s*")
@@ -53,6 +54,10 @@ def question_document(source: Source, wrench: Any = None) -> dict[str, Any]:
         document = _of_table(Table(read_text(Path(source))[0]))
     else:
         document = dict(read_contacts(source, floats=decimal_text))
+        contacts = check_list(document["contacts"], "contacts")
+        document["contacts"] = [
+            with_usual_names(entry, f"contacts[{i}]") for i, entry in enumerate(contacts)
+        ]
     if wrench is not None:
         is_each = isinstance(wrench, Mapping)
         rows = {name: list(row) for name, row in wrench.items()} if is_each else list(wrench)
