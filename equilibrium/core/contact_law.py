@@ -32,6 +32,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.linear.intervals import Interval
+from arrangement.numbers.linear.rank import unit_vectors
 from equilibrium.model.contact import Contact
 from equilibrium.model.rows import ContactRow, ContactRows
 
@@ -39,7 +40,6 @@ from equilibrium.model.rows import ContactRow, ContactRows
 Side: TypeAlias = tuple[bool, Sequence[Any]]
 #: A linear expression: coefficients by columns of unknowns, -1 for the constant, and symbols.
 Terms: TypeAlias = dict[Any, Any]
-ONE = 1
 _SIGNS = {"slip+": 1, "slip-": -1}
 
 
@@ -82,13 +82,18 @@ class ContactState(NamedTuple):
     share: Sequence[Any] | None = None
 
     @classmethod
-    def of(cls, name: str, tangents: int, friction: tuple[Side, ...] = ()) -> ContactState:
+    def of(
+        cls,
+        name: str,
+        tangents: int,
+        friction: tuple[Side, ...] = (),
+        share: Sequence[Any] | None = None,
+    ) -> ContactState:
         """Return the state of a name that is about all slips, with conditions on friction."""
-        if name == "detached":
-            return cls(name)
-        units = [tuple(int(j == k) for k in range(tangents)) for j in range(tangents)]
-        still = tuple((True, unit) for unit in units) if name == "stick" else ()
-        return cls(name if name in ("loose", "undecided") else "attached", still, friction)
+        if name in ("loose", "undecided", "detached"):
+            return cls(name, (), () if name == "detached" else friction, share)
+        units = unit_vectors(tangents) if name == "stick" else []
+        return cls("attached", tuple((True, unit) for unit in units), friction, share)
 
 
 #: A state by its name, or in conditions.
@@ -114,7 +119,7 @@ class Condition:
     @cached_property
     def _whole(self) -> tuple[dict[Any, int], int]:
         expanded = self._question.expanded(self.terms)
-        unit = math.lcm(*(int(x.denominator) for x in expanded.values()))
+        unit = math.lcm(*[int(x.denominator) for x in expanded.values()])
         row = {j: int(x.numerator) * (unit // int(x.denominator)) for j, x in expanded.items()}
         return row, unit
 
@@ -125,14 +130,14 @@ class ContactConditions(NamedTuple):
     Attributes:
         forces: the normal force, and friction along each tangent.
         unknowns: those forces that are no expressions in the motion.
-        wrench: of the forces, an expression for each coordinate.
+        arms: of each force that is a symbol or unknown its wrench for a force of 1.
     """
 
     forces: Sequence[Terms]
     unknowns: Sequence[Any]
     least: Sequence[Condition]
     equal: Sequence[Condition]
-    wrench: Sequence[Terms]
+    arms: Sequence[tuple[Any, Terms]]
 
 
 @dataclass(frozen=True)
@@ -181,23 +186,25 @@ class LinearQuestion:
         """The spring, the slip and the displacements of each contact, in motion, t and 1."""
         symbols: dict[Any, Terms] = {}
         for i, (contact, moves) in enumerate(zip(self.rows, self._frames, strict=True)):
-            symbols |= {("displacement", i, j): terms for j, terms in enumerate(moves)}
-            symbols |= {("slip", i, j): terms for j, terms in enumerate(moves[1:])}
-            spring = self._of_t(contact.preload, self.slope_of(i))
-            symbols["spring", i] = added(spring, moves[0], -exact(contact.stiffness))
+            for j, terms in enumerate(moves):
+                symbols["displacement", i, j] = terms
+                if j:
+                    symbols["slip", i, j - 1] = terms
+            symbols["spring", i] = spring = self._of_t(contact.preload, self.slope_of(i))
+            add(spring, moves[0], -exact(contact.stiffness))
             if self.chords:
                 symbols["chord", i] = expression(self.chords[i])
         return symbols
 
     def _of_t(self, constant: Any, slope: Any) -> Terms:
         """Return what has a value at t = 0, and a slope."""
-        terms = {-1: constant, self.rows.n: slope}
-        return {j: exact(x) for j, x in terms.items() if x}
+        terms = {-1: exact(constant)} if constant else {}
+        return {**terms, self.rows.n: exact(slope)} if slope else terms
 
     @cached_property
     def sides(self) -> list[Condition]:
         """That t is at least 0, and the region."""
-        magnitude = [] if self.load_slope is None else [{self.rows.n: ONE}]
+        magnitude = [] if self.load_slope is None else [{self.rows.n: 1}]
         return [Condition(self, x) for x in (*magnitude, *map(expression, self.region))]
 
     @cached_property
@@ -225,40 +232,43 @@ class LinearQuestion:
         given = state if isinstance(state, ContactState) else self._state(i, state)
         least: list[Terms] = []
         equal: list[Terms] = []
-        spring = {("spring", i): ONE}
+        unknowns: list[Any] = []
+        arms: list[tuple[Any, Terms]] = []
+        spring: Any = ("spring", i)
         if self.max_displacement is not None and given.spring != "loose":
             most = {-1: exact(self.max_displacement)}
             for j in range(len(frame)):
-                least += [added(most, {("displacement", i, j): ONE}, sign) for sign in (1, -1)]
+                least += [{**most, ("displacement", i, j): sign} for sign in (1, -1)]
         if given.spring == "detached":
-            least.append(times(spring, -1))
+            least.append({spring: -1})
             forces: list[Terms] = [{}] * len(frame)
-            unknowns: list[Any] = []
         else:
             unknowns = [("normal", i)] if given.spring in ("loose", "undecided") else []
-            normal = {unknowns[0]: ONE} if unknowns else spring
-            least.append(normal)
+            pressed, *_ = *unknowns, spring
+            forces, arm = [{pressed: 1}], frame[0]
+            least.append(forces[0])
             if given.spring == "undecided":
-                least.append(added(normal, spring, -1))
+                least.append({pressed: 1, spring: -1})
                 if self.chords:
-                    least.append(added({("chord", i): ONE}, normal, -1))
+                    least.append({("chord", i): 1, pressed: -1})
             if given.share is None:
-                rubs = [("friction", i, j) for j in range(len(frame) - 1)]
-                forces = [normal, *({rub: ONE} for rub in rubs)]
+                rubs: list[Any] = [("friction", i, j) for j in range(len(frame) - 1)]
                 unknowns += rubs
+                forces += [{rub: 1} for rub in rubs]
+                arms += zip(rubs, frame[1:], strict=True)
             else:
-                limit = times(normal, exact(self.coefficients(i)[0]))
-                forces = [normal, *(times(limit, exact(x)) if x else {} for x in given.share)]
-        slips: list[Terms] = [{("slip", i, j): ONE} for j in range(len(frame) - 1)]
+                limit = exact(self.coefficients(i)[0])
+                for share, tangent in zip(given.share, frame[1:], strict=True):
+                    rubbed = limit * exact(share)
+                    forces.append({pressed: rubbed} if rubbed else {})
+                    arm = added(arm, tangent, rubbed)
+            arms.append((pressed, arm))
+        slips: list[Terms] = [{("slip", i, j): 1} for j in range(len(frame) - 1)]
         for of, sides in ((forces, given.friction), (slips, given.slip)):
             for is_zero, factors in sides:
                 (equal if is_zero else least).append(combination(of, factors))
-        wrench: list[Terms] = [{} for _ in range(self.rows.n)]
-        for terms, unit in zip(forces, frame, strict=True):
-            for j, x in unit.items() if terms else ():
-                add(wrench[j], terms, x)
         at_least, zero = ([Condition(self, x) for x in every] for every in (least, equal))
-        return ContactConditions(forces, unknowns, at_least, zero, wrench)
+        return ContactConditions(forces, unknowns, at_least, zero, arms)
 
     def _state(self, i: int, name: str) -> ContactState:
         """Return the conditions of a state with a name; along one tangent, or without friction."""
@@ -269,14 +279,15 @@ class LinearQuestion:
             friction.append((False, (-low, -sign)))
         if share is None and high is not None:
             friction += [(False, (high, x)) for x in ((sign,) if sign else (1, -1))]
-        state = ContactState.of(name, tangents, tuple(friction))._replace(share=share)
-        return state._replace(slip=((False, (sign,)),)) if name in _SIGNS else state
+        if name in _SIGNS:
+            return ContactState("attached", ((False, (sign,)),), tuple(friction), share)
+        return ContactState.of(name, tangents, tuple(friction), share)
 
     def expanded(self, terms: Terms) -> Terms:
         """Return an expression in unknowns, without symbols."""
         total: Terms = {}
         for key, x in terms.items():
-            add(total, self.symbols.get(key, {key: ONE}), x)
+            add(total, self.symbols.get(key, {key: 1}), x)
         return total
 
     def is_chosen(self, i: int) -> bool:
@@ -344,14 +355,11 @@ class LinearQuestion:
 
 
 def exact(x: Any) -> Any:
-    """Return a number of FLINT, whose products take a tenth of the time.
+    """Return a fraction as a number of FLINT, whose products take a tenth of the time.
 
-    What is no rational number, as a function of a letter, stays.
+    What is no fraction, as a function of a letter, stays.
     """
-    try:
-        return _flint_rational()(x.numerator, x.denominator)
-    except TypeError:
-        return x
+    return _flint_rational()(x.numerator, x.denominator) if type(x) is Fraction else x
 
 
 @cache

@@ -21,7 +21,6 @@ from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Leaf, Solution
 
 from .contact_law import (
-    ONE,
     Condition,
     LinearQuestion,
     Terms,
@@ -62,7 +61,7 @@ class Values(dict[Any, Any]):
 
     def __init__(self, symbols: Mapping[Any, Terms], keys: Iterable[Any], point: Any) -> None:
         super().__init__(zip(keys, map(exact, point), strict=True))
-        self[-1], self._symbols = exact(ONE), symbols
+        self[-1], self._symbols = 1, symbols
 
     def __missing__(self, key: Any) -> Any:
         self[key] = number = self.of(self._symbols[key])
@@ -70,7 +69,10 @@ class Values(dict[Any, Any]):
 
     def of(self, terms: Terms) -> Any:
         """Return the number of an expression."""
-        return sum(x * self[key] for key, x in terms.items())
+        total = 0
+        for key, x in terms.items():
+            total += x * self[key]
+        return total
 
 
 class ContactProgram:
@@ -95,8 +97,9 @@ class ContactProgram:
         self.forces = [contact.forces for contact in contacts]
         balance = list(map(dict, question.balance))
         for contact in contacts:
-            for line, terms in zip(balance, contact.wrench, strict=True):
-                add(line, terms)
+            for force, arm in contact.arms:
+                for j, x in arm.items():
+                    balance[j][force] = x
         self._least = [*question.sides, *chain.from_iterable(c.least for c in contacts)]
         self._equal = [
             *chain.from_iterable(c.equal for c in contacts),
@@ -126,8 +129,12 @@ class ContactProgram:
     def only_solution(self) -> Solution | None:
         """Return the one point that equations leave, if it is a solution."""
         point = self.completed([Fraction(0)] * self.size)
+        return self.admitted(point)
+
+    def admitted(self, point: Sequence[Fraction]) -> Solution | None:
+        """Return the motion and the forces of a solution of the equations, if it is one of all."""
         at = self.values(point)
-        return self.at(point) if all(at.of(x.terms) >= 0 for x in self._least) else None
+        return self._at(point, at) if all(at.of(x.terms) >= 0 for x in self._least) else None
 
     def completed(self, near: Sequence[Fraction]) -> list[Fraction]:
         """Return the solution of consistent equations that has these numbers where they leave any.
@@ -231,8 +238,10 @@ class ContactProgram:
 
     def at(self, point: Sequence[Fraction]) -> Solution:
         """Return the motion and the forces of a solution."""
-        at = self.values(point)
-        forces = (tuple(fraction(at.of(x)) for x in terms) for terms in self.forces)
+        return self._at(point, self.values(point))
+
+    def _at(self, point: Sequence[Fraction], at: Values) -> Solution:
+        forces = [tuple([fraction(at.of(x)) for x in terms]) for terms in self.forces]
         return Solution(tuple(point[: self.question.rows.n]), tuple(forces))
 
     def holds(self, solution: Solution) -> bool:
@@ -295,7 +304,7 @@ class ContactProgram:
         at = self.values(point)
         violations, states = [], []
         for i, (contact, forces) in enumerate(zip(question.rows, self.forces, strict=True)):
-            terms = *forces, {("slip", i, 0): ONE}, {("spring", i): ONE}
+            terms = *forces, {("slip", i, 0): 1}, {("spring", i): 1}
             pressed, rubbed, slip, spring = (fraction(at.of(x)) for x in terms)
             least, most = question.coefficients(i)
             opposed = -rubbed if slip > 0 else rubbed
@@ -359,7 +368,7 @@ class ContactProgram:
         total: Terms = {}
         for key, x in terms.items():
             is_friction = isinstance(key, tuple) and key[0] == "friction"
-            add(total, into.forces[key[1]][1 + key[2]] if is_friction else {key: ONE}, x)
+            add(total, into.forces[key[1]][1 + key[2]] if is_friction else {key: 1}, x)
         return total
 
     def range_of(self, terms: Terms) -> Interval:

@@ -16,7 +16,7 @@ from arrangement.numbers.exact import (
 )
 from arrangement.numbers.linear.intervals import Interval
 from arrangement.numbers.linear.rank import rank
-from equilibrium.core.contact_law import ONE, LinearQuestion, State, Terms
+from equilibrium.core.contact_law import LinearQuestion, State, Terms
 from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contact_rows import unit_row
 from equilibrium.model.errors import GraspError
@@ -109,7 +109,7 @@ def equilibrium_of(
         if program.freedom is None or not program.feasible:
             return None
         solution = program.at(_least_solution(program))
-        components: list[Terms] = [*({j: ONE} for j in range(3)), *chain(*program.forces)]
+        components: list[Terms] = [*({j: 1} for j in range(3)), *chain(*program.forces)]
         ranges = list(map(program.range_of, components))
     return Equilibrium(
         states,
