@@ -15,10 +15,12 @@ from arrangement.numbers import budget, deadline
 from equilibrium import Contact, Grasp, TimeLimitError, read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate
+from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.core.contacts import IntegerContacts
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.effort import STEPS, Effort
+from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Leaf, Solution
 from equilibrium.plane.search.motion_regions import HALF_SPACE, MotionRegions
 from equilibrium.plane.search.region_states import StateSplits, TooManyParts
@@ -223,12 +225,17 @@ def hard() -> tuple[Grasp, Wrench]:
     raise AssertionError("every question has a small answer")
 
 
+def equilibrium_near(grasp, wrench, guess):
+    question = LinearQuestion(ContactRows.of_grasp(grasp), tuple(map(Fraction, wrench)))
+    return exact_equilibrium(IntegerContacts(grasp), question, guess)
+
+
 @pytest.mark.parametrize("axis", range(3))
 def test_what_the_balance_leaves_open_of_a_motion_is_guessed(axis):
     point, normal = [((0, 0), (1, 0)), ((0, 0), (0, 1)), ((1, 0), (0, 1))][axis]
-    contacts = IntegerContacts(Grasp([Contact(point, normal, 1, 1, 1)]))
     motion = tuple(32 * (j == axis) for j in range(3))
-    found = exact_equilibrium(contacts, (Fraction(0),) * 3, Guess((False,), (False,), (0,), motion))
+    grasp = Grasp([Contact(point, normal, 1, 1, 1)])
+    found = equilibrium_near(grasp, (0, 0, 0), Guess((False,), (False,), (0,), motion))
     assert found == Solution(tuple(Fraction(x, 16) for x in motion), ((Fraction(0),) * 2,))
 
 
@@ -236,7 +243,7 @@ def test_what_the_balance_leaves_open_of_a_force_is_none():
     """Contact 1 sticks at the origin; contact 2 slips, and pushes along the plane of contact 1."""
     grasp = Grasp([Contact((0, 0), (0, 1), 1, 1, 1), Contact((1, 0), ("3/5", "4/5"), "4/3", 1, 1)])
     guess = Guess((True, True), (True, False), (0, -(2**14)), (0, 0, 8))
-    found = exact_equilibrium(IntegerContacts(grasp), tuple(map(Fraction, (-1, -1, 0))), guess)
+    found = equilibrium_near(grasp, (-1, -1, 0), guess)
     assert found is not None
     assert found.motion == (0, 0, Fraction(1, 2))
     assert found.forces == ((1, 0), (Fraction(3, 5), Fraction(-4, 5)))

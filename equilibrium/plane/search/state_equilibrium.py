@@ -14,12 +14,13 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
-from arrangement.numbers.linear.rank import gauss_jordan, rank
+from arrangement.numbers.linear.rank import rank
 from equilibrium.core.cones import SLIP_SHARE, LineCones
-from equilibrium.core.contacts import IntegerContacts, product
+from equilibrium.core.contact_law import ContactState, LinearQuestion, State
+from equilibrium.core.contact_program import ContactProgram
+from equilibrium.core.contacts import IntegerContacts
 from equilibrium.core.continuation import SHARPNESS_NEAR, Continuation
 from equilibrium.core.float_law import Balance
-from equilibrium.model.displacement import displacement
 from equilibrium.model.solution import Solution
 
 #: Shares of the friction limit are multiples of one over this.
@@ -77,52 +78,46 @@ def find_equilibrium(
     """
     search = Continuation(contacts.floats, wrench, LineCones())
     path = search.path(np.zeros(3)) if start is None else search.path(start, SHARPNESS_NEAR)
+    question = LinearQuestion(
+        contacts.floats.rows, wrench, max_displacement=contacts.max_displacement
+    )
     tried: set[Guess] = set()
     with np.errstate(all="ignore"):
         for motion, eps in path:
             guess = Guess.near(search.balance, motion, eps)
             if guess not in tried:
                 tried.add(guess)
-                equilibrium = exact_equilibrium(contacts, wrench, guess)
+                equilibrium = exact_equilibrium(contacts, question, guess)
                 if equilibrium is not None:
                     return equilibrium
     return None
 
 
 def exact_equilibrium(
-    contacts: IntegerContacts, wrench: RationalVector, guess: Guess
+    contacts: IntegerContacts, question: LinearQuestion, guess: Guess
 ) -> Solution | None:
     """Return an equilibrium with the states of a guess, or None."""
     pillars = _pillars(contacts, guess)
-    along, across = contacts.balance
-    shares = np.array(guess.shares, dtype=object)
-    shares[pillars] = 0
-    touching = np.array(guess.touching, dtype=bool)
-    arm = (along * _SHARE_DENOMINATOR + across * shares[:, None])[touching]
-    unit = contacts.common_unit * _SHARE_DENOMINATOR
-    stiffness = product(arm.T, contacts.spring[touching])
-    rows = []
-    for j in range(3):
-        pull = [int(contacts.tangent[i, j]) for i in pillars]
-        constant = stiffness[j, 0] + wrench[j] * unit
-        rows.append([*stiffness[j, 1:], *(unit * x for x in pull), constant])
-    rows += [[*contacts.tangent[i], *[0] * len(pillars), 0] for i in pillars]
-    size = 3 + len(pillars)
-    reduced, pivots, scale = gauss_jordan(rows)
-    if size in pivots:
+    states: list[State] = []
+    for i, share in enumerate(guess.shares):
+        if not guess.touching[i]:
+            states.append("detached")
+        elif question.is_smooth(i):
+            states.append("attached")
+        elif not guess.sticking[i]:
+            states.append("slip-" if share > 0 else "slip+")
+        elif i in pillars:
+            states.append("stick")
+        else:
+            known = (Fraction(share, _SHARE_DENOMINATOR),)
+            states.append(ContactState.of("stick", 1, share=known))
+    program = ContactProgram(question, tuple(states))
+    if program.freedom is None:
         return None
     # What the equations leave open is taken from the guess.
-    free = [j for j in range(size) if j not in pivots]
-    point = [0] * size
-    for j in free:
-        point[j] = guess.motion[j] * scale if j < 3 else 0
-    for row, pivot in zip(reduced, pivots, strict=False):
-        point[pivot] = -row[size] * _MOTION_DENOMINATOR - sum(
-            row[j] * point[j] // scale for j in free
-        )
-    if scale < 0:
-        point, scale = [-x for x in point], -scale
-    return _checked(contacts, wrench, guess, pillars, point, scale * _MOTION_DENOMINATOR)
+    near = [Fraction(x, _MOTION_DENOMINATOR) for x in guess.motion]
+    point = program.completed([*near, *[Fraction(0)] * len(program.unknowns)])
+    return program.admitted(point)
 
 
 def _pillars(contacts: IntegerContacts, guess: Guess) -> list[int]:
@@ -148,46 +143,3 @@ def _pillars(contacts: IntegerContacts, guess: Guess) -> list[int]:
         left = left - np.outer(left @ unit, unit)
         chosen = tried
     return chosen
-
-
-def _checked(
-    contacts: IntegerContacts,
-    wrench: RationalVector,
-    guess: Guess,
-    pillars: list[int],
-    point: list[int],
-    scale: int,
-) -> Solution | None:
-    """Return the solution if it satisfies the law, and its motion counts; ``point[:3] / scale``."""
-    motion = np.array([scale, *point[:3]], dtype=object)
-    force = contacts.spring.dot(motion)
-    slip = contacts.tangent.dot(motion[1:])
-    special = dict(zip(pillars, point[3:], strict=True))
-    forces: list[tuple[Fraction, Fraction]] = []
-    zero = Fraction(0)
-    for i, (c, f, s) in enumerate(zip(contacts.grasp, force.tolist(), slip.tolist(), strict=True)):
-        if f <= 0:
-            if guess.touching[i] and f:
-                return None
-            forces.append((zero, zero))
-            continue
-        if not guess.touching[i]:
-            return None
-        normal = Fraction(f, contacts.spring_unit[i] * scale)
-        limit = c.friction * normal
-        if i in special:
-            rub = Fraction(special[i] * contacts.wrench_unit[i], scale)
-        else:
-            rub = limit * Fraction(guess.shares[i], _SHARE_DENOMINATOR)
-        if s and rub * s != -limit * abs(s):
-            return None
-        if abs(rub) > limit:
-            return None
-        forces.append((normal, rub))
-    if any(force[i] <= 0 and special[i] for i in special):
-        return None
-    solution = Solution(tuple(Fraction(x, scale) for x in point[:3]), tuple(forces))
-    most = contacts.max_displacement
-    return (
-        solution if most is None or displacement(contacts.grasp, solution.motion) <= most else None
-    )
