@@ -286,7 +286,7 @@ class _Quotients:
             bytes = max(bytes, before + vectors + 20 * flats * (planes - k))
         budget.check_cost(
             f"the flats of rank {self.rank + 1} and more of {planes:,} planes",
-            "count without the lattice (arrangement polynomial)",
+            "count without the lattice (arrangement count)",
             steps=steps,
             bytes=bytes,
         )

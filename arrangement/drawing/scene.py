@@ -130,7 +130,7 @@ class Item:
 
     @property
     def height(self) -> float:
-        """The z-order: lower items are painted first, equal ones in the order of their adding."""
+        """The z-order: lower items are painted first, equal ones as they were added."""
         return self.order if self.order is not None else 2.0 if isinstance(self, Mark) else 1.0
 
 

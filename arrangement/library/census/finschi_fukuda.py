@@ -92,10 +92,10 @@ def _largest(chi: Signs, most: int) -> Integers:
 def _first_point(chi: Signs, most: int) -> tuple[NDArray[np.intp], NDArray[np.intp], Signs]:
     """Order the lines through one point first, for every such point, with signs +.
 
-    As 0 is the largest digit of a word, the largest word begins with the lines through a point
-    on most lines. Next come the signs of pairs of these lines with a line that
-    misses the point. They agree for all such lines, up to a common sign. A rotation of the order,
-    in either direction, makes all of them +.
+    As 0 is the largest digit of a word, the largest word begins with the lines through a point that
+    is on most lines. Next come the signs of pairs of these lines with a line that misses the point.
+    They agree for all such lines, up to a common sign. A rotation of the order, in either
+    direction, makes all of them +.
     """
     n = chi.shape[-1]
     i, j = pairs(n).T
