@@ -18,7 +18,7 @@ import arrangement
 from arrangement import Arrangement, InputError, read_arrangement
 from arrangement.console import progress
 from arrangement.counts import bounded_region_count, f_vector, whitney_numbers
-from arrangement.drawing.colours import PALETTE, DrawnRegion, colouring, plane_colour
+from arrangement.drawing.colours import CHECKERS, PALETTE, DrawnRegion, colouring, plane_colour
 from arrangement.drawing.labels import HAIR, spread_angles
 from arrangement.drawing.layout import lay_out
 from arrangement.drawing.output import own_settings, picture_bytes
@@ -351,6 +351,8 @@ def test_neighbours_differ_by_parity(name):
     alike = {fills[signs] == fills[tuple(-s for s in signs)] for signs in fills}
     assert alike == {len(planes.distinct) % 2 == 0}
     assert len(set(fills.values())) == 2
+    for signs, fill in fills.items():
+        assert fill == CHECKERS[sum(signs[k] < 0 for k in planes.firsts) % 2]
 
 
 def neighbours(planes: Arrangement) -> list[tuple[int, int]]:
@@ -649,6 +651,8 @@ def test_a_window_shows_what_meets_it():
     ("planes", "sizes"),
     [
         (read_arrangement("cube-diagonals"), [6, 8]),
+        # The same in other coordinates, in which the first region is of the larger orbit.
+        (Arrangement([[1, -1, 0], [-1, -1, 0], [-1, 1, -2], [3, -1, 2]]), [6, 8]),
         (read_arrangement("braid-a3"), [24]),
         (coxeter("H3"), [120]),
         (random_integer(5, 3, seed=1), [2] * 11),
