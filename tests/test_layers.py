@@ -300,7 +300,6 @@ OPTIONAL = {
     "space": (
         "equilibrium.core.relaxation",
         "equilibrium.core.tree",
-        "equilibrium.core.tresca",
         "equilibrium.pictures.space_grasp",
         "equilibrium.pictures.space_slice",
         "equilibrium.wrench_sets.along_in_space",

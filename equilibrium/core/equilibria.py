@@ -26,7 +26,6 @@ from .enclosures import enclosures
 from .exact_parts import ExactParts, PyramidParts
 from .relaxation import Point, Relaxation
 from .states import StateBalance, States, rubbing_states
-from .tresca import tresca_point
 
 
 @dataclass(frozen=True)
@@ -133,7 +132,7 @@ class EquilibriumSearch:
         """
         if not isinstance(self.exact, PyramidParts) or self.contacts.rows.tangents != 1:
             return None
-        point = tresca_point(self.relaxation)
+        point = self.relaxation.at_fixed_limits()
         if point is None:
             return None
         r, near, friction = self.relaxation, SETTINGS.tresca_tolerance, self.contacts.friction

@@ -37,6 +37,18 @@ from .float_law import FloatLaw
 with extra("space"):
     import clarabel
 
+#: Steps of an iteration of friction limits; walls of 85 bricks take 8.
+_MAX_LIMIT_STEPS = 25
+#: Change of a limit, as a share of the load, at which the limits are a fixed point.
+_FIXED_LIMIT = 1e-7
+#: The first limit of every contact, as a multiple of the load.
+_FIRST_LIMIT = 10.0
+#: The weighted motion is what forces leave of the load: with more they do not balance it.
+_UNBALANCED = 1e-5
+#: Error that ends the program of given limits.
+_LIMIT_PROGRAM_ERROR = 1e-11
+#: Weight of the square of the motion beside the energy of springs: it decides what balance leaves.
+_ENERGY_MOTION_WEIGHT = 1e-9
 #: Weight of the square of the motion beside the forces, in scaled units.
 _MOTION_WEIGHT = 1e-3
 #: Where no ray has more room than minus this, there is none.
@@ -320,10 +332,7 @@ class Relaxation(FloatLaw):
         super().__init__(*c.in_units(self.arms, self.force, self.step))
         most = max_displacement
         self.most = np.inf if most is None else nearest(most) / self.step
-        self.settings = clarabel.DefaultSettings()
-        self.settings.verbose = False
-        self.settings.presolve_enable = False
-        self.settings.max_threads = 1
+        self.settings = _settings()
         # Refined steps take a third of the time, and matter only where sizes are far apart.
         spread = self.stiffness.max(initial=0.0) / self.stiffness.min(initial=np.inf)
         uneven = max(spread, c.friction.max(initial=0.0)) > _EVEN_RATIO
@@ -455,6 +464,60 @@ class Relaxation(FloatLaw):
         rays = np.array(clarabel.DefaultSolver(*question, self.settings).solve().x)
         return self._ray(states, program, rays[:-1]) if rays[-1] > -_ROOM_ERROR else None
 
+    def at_fixed_limits(self) -> Point | None:
+        """Return a fixed point of Tresca friction, if it is reached.
+
+        With a limit g of the friction of each contact in place of mu c_n, the equilibria are the
+        least points of a convex energy,
+
+            sum x^2 / (2 k) + sum g |T . d| - w . d   with   x >= q - k N . d,  x >= 0,
+
+        whose x are the normal forces; they give the next limits, g = mu x. A fixed point obeys
+        Coulomb's law. The steps need not converge: this proposes, and proves nothing. It is for
+        friction along lines, and springs of positive stiffness.
+
+        Source: J. Haslinger, I. Hlavacek, J. Necas, Numerical methods for unilateral problems in
+        solid mechanics, Handbook of Numerical Analysis IV (1996), section 10.
+        """
+        m, n, k = self.m, self.n, self.stiffness
+        if not m or not (k > 0).all():
+            return None
+        slip, one, none = self.tangents[:, 0], np.eye(m), np.zeros((m, m))
+        # Unknowns: the motion, the normal forces x, and s >= |T . d|.
+        rows = np.block(
+            [
+                [self.spring[:, 1:], -one, none],
+                [np.zeros((m, n)), -one, none],
+                [slip, none, -one],
+                [-slip, none, -one],
+            ]
+        )
+        right = np.concatenate([-self.preload, np.zeros(3 * m)])
+        squares = Columns.of(np.diag([*[_ENERGY_MOTION_WEIGHT] * n, *(1 / k), *[0.0] * m]))
+        settings = _settings()
+        settings.tol_feas = settings.tol_gap_abs = settings.tol_gap_rel = _LIMIT_PROGRAM_ERROR
+        limit, solver = np.full(m, _FIRST_LIMIT), None
+        for _ in range(_MAX_LIMIT_STEPS):
+            cost = np.concatenate([-self.load, np.zeros(m), limit])
+            if solver is None:
+                cones = [clarabel.NonnegativeConeT(4 * m)]
+                question = squares, cost, Columns.of(rows), right, cones, settings
+                solver = clarabel.DefaultSolver(*question)
+            else:
+                solver.update(q=cost)
+            solved = solver.solve()
+            if str(solved.status) not in ("Solved", "AlmostSolved"):
+                return None
+            unknowns, multipliers = np.array(solved.x), np.array(solved.z)
+            if np.abs(unknowns[:n]).max() * _ENERGY_MOTION_WEIGHT > _UNBALANCED:
+                return None
+            normal = np.maximum(0.0, unknowns[n : n + m])
+            last, limit = limit, self.friction * normal
+            if np.abs(limit - last).max() <= _FIXED_LIMIT:
+                friction = multipliers[3 * m :] - multipliers[2 * m : 3 * m]
+                return Point(unknowns[:n], np.column_stack([normal, friction]))
+        return None
+
     def violations(self, states: Sequence[State], found: Point) -> Floats:
         """Return how far each contact is from the law: the change of force that it would take."""
         d, f = found
@@ -468,6 +531,13 @@ class Relaxation(FloatLaw):
         first = np.array([state == "undecided" for state in states], dtype=bool)
         values: Floats = np.where(open_, rubs + np.where(first, _LIFT_WEIGHT * lifts, 0.0), 0.0)
         return values
+
+
+def _settings() -> Any:
+    settings = clarabel.DefaultSettings()
+    settings.verbose = settings.presolve_enable = False
+    settings.max_threads = 1
+    return settings
 
 
 @cache

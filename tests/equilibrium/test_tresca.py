@@ -8,7 +8,6 @@ from equilibrium.core import continuation, tree
 from equilibrium.core.cones import LineCones
 from equilibrium.core.contacts import FloatContacts
 from equilibrium.core.relaxation import Relaxation
-from equilibrium.core.tresca import tresca_point
 from equilibrium.grasps.textbook import arch, stack, wall
 from equilibrium.model.errors import GraspError
 
@@ -25,7 +24,7 @@ def relaxation(assembly, wrenches):
 )
 def test_fixed_point_obeys_the_law(made):
     question = relaxation(*made)
-    motion, forces = tresca_point(question)
+    motion, forces = question.at_fixed_limits()
     spring = question.preload - question.stiffness * (question.normal @ motion)
     assert forces[:, 0] == pytest.approx(np.maximum(0, spring), abs=1e-5)
     wrench = forces[:, 0] @ question.normal + forces[:, 1] @ question.tangents[:, 0]
@@ -40,14 +39,14 @@ def test_fixed_point_obeys_the_law(made):
 
 def test_no_fixed_point_where_no_force_balances():
     assembly, wrenches = stack(blocks=3, push=2)
-    assert tresca_point(relaxation(assembly, wrenches)) is None
+    assert relaxation(assembly, wrenches).at_fixed_limits() is None
     assert solve(assembly, wrenches).verdict == "not resisted"
 
 
 def test_constant_forces_have_no_energy_of_springs():
     foot = Contact([0, 0], [0, 1], "1/2", stiffness=0, preload=1)
     assembly = Assembly(["block"], [BodyContact("block", None, foot)])
-    assert tresca_point(relaxation(assembly, {"block": (0, -1, 0)})) is None
+    assert relaxation(assembly, {"block": (0, -1, 0)}).at_fixed_limits() is None
 
 
 @pytest.mark.parametrize("size", [3, 4])
