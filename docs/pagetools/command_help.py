@@ -8,6 +8,7 @@ does, its exit codes, and its arguments and options, but for those of all comman
 
 import argparse
 import importlib
+import itertools
 
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
@@ -99,12 +100,13 @@ class CommandTable(SphinxDirective):
 
 class CommandSynonyms(SphinxDirective):
     def run(self):
-        rows = [("Program", "Word", "Write")] + [
-            (program, f"``{word}``", f"``{name}``") for program, word, name in synonym_rows()
-        ]
-        lines = [".. list-table::", "   :header-rows: 1", ""]
-        for row in rows:
-            lines += [f"   {'*' if k == 0 else ' '} - {cell}" for k, cell in enumerate(row)]
+        lines = []
+        for program, rows in itertools.groupby(synonym_rows(), key=lambda row: row[0]):
+            lines += [f".. rubric:: {program}", "", ".. list-table::", "   :header-rows: 1"]
+            lines += ["   :widths: 30 70", "", "   * - word", "     - write"]
+            for _, word, name in rows:
+                lines += [f"   * - ``{word}``", f"     - ``{name}``"]
+            lines.append("")
         return self.parse_text_to_nodes("\n".join(lines))
 
 

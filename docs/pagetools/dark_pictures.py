@@ -9,6 +9,7 @@ from pathlib import Path
 
 from docutils import nodes
 
+from arrangement.drawing.colours import VERMILION
 from arrangement.drawing.themes import dark_colour
 
 FOLDER = "_generated"
@@ -20,14 +21,16 @@ _dark = functools.cache(dark_colour)
 def _darkened(element):
     """Return the start of an element with the colours of its style exchanged.
 
-    Style on a group belongs to letters. A stroke of the colour of its shape is not a line.
+    Style on a group belongs to letters, and vermilion is a colour of ink. A stroke of the colour of
+    its shape is not a line.
     """
     tag, between, style = element.groups()
     colours = dict(_COLOUR.findall(style))
     is_seam = colours.get("fill") == colours.get("stroke")
 
     def exchange(found):
-        is_line = tag in ("g", "text") or (found[1] == "stroke" and not is_seam)
+        is_ink = tag in ("g", "text") or found[2] == VERMILION
+        is_line = is_ink or (found[1] == "stroke" and not is_seam)
         return f"{found[1]}: {_dark(found[2], is_line=is_line)}"
 
     return f'<{tag}{between}style="{_COLOUR.sub(exchange, style)}"'

@@ -33,9 +33,11 @@ class Thumbnails(SphinxDirective):
             title = text.partition("\n")[0]
             shown, alt = _FIGURE.search(text).groups()
             alt = " ".join(alt.split())
-            small = f"/_generated/{folder}-thumbnail-{name}.svg"
-            if Path(f"{self.env.srcdir}{small}").exists():
-                shown = small
+            for drawn in (name, Path(shown).stem.removeprefix(f"{folder}-")):
+                small = f"/_generated/{folder}-thumbnail-{drawn}.svg"
+                if Path(f"{self.env.srcdir}{small}").exists():
+                    shown = small
+                    break
             lines += [f"   .. figure:: {shown}", f"      :alt: {alt}"]
             lines += [f"      :target: {folder}/{name}.html", ""]
             lines += [f"      :doc:`{title} <{folder}/{name}>`", ""]
