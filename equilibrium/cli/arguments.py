@@ -225,8 +225,8 @@ def add_wrench(parser: Any, name: str, text: str, default: Any) -> None:
 class _OnBody(argparse._AppendAction):
     """Collects a wrench for each body."""
 
-    def __call__(self, parser: Any, namespace: Any, given: Any, option: Any = None) -> None:
-        name, *numbers = given
+    def __call__(self, parser: Any, namespace: Any, texts: Any, option: Any = None) -> None:
+        name, *numbers = texts
         wrenches = dict(getattr(namespace, self.dest) or {})
         if name in wrenches:
             parser.error(f"{option} has the body {name} twice; give each body once")

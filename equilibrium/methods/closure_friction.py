@@ -186,5 +186,5 @@ def _motion_without_slip(grasp: Grasp) -> RationalVector | None:
     slips = [[*t, Fraction(0)] for c in grasp for t in c.tangential_wrenches]
     total = [sum(column, Fraction(0)) for column in zip(*normals, strict=True)]
     total[-1] = Fraction(-1)
-    found = feasible_point(grasp.wrench_size, normals, [*slips, total])
-    return None if isinstance(found, Infeasible) else found
+    point = feasible_point(grasp.wrench_size, normals, [*slips, total])
+    return None if isinstance(point, Infeasible) else point

@@ -21,8 +21,9 @@ from .contact import Contact
 class Enclosure(NamedTuple):
     """A box that holds exactly one equilibrium in space, whose numbers are not rational.
 
-    The unknowns are the coefficients of a motion in the basis and the forces of pillars, six
-    numbers in all. The derivative of the balance keeps them apart in the box.
+    The unknowns, six numbers in all, are the coefficients of a motion in `basis` and the forces of
+    `pillars`. The test of Krawczyk shows that the balance has one solution in the box, see
+    `equilibrium.certificate.enclosure`.
 
     Attributes:
         basis: motions; that of the equilibrium is a combination of them.

@@ -354,14 +354,11 @@ def proof_page(
 
     Args:
         grasp: contacts.
-        wrench: one that is not resisted.
-        rotation: the angle r of the rotations shown (linearised), above 0, where it matters; if
-            omitted, about the largest one at which a preloaded spring still touches, and no
-            boundary.
+        wrench, rotation: as for `draw_proof`.
         title: a heading; if omitted, the wrench.
 
     Raises:
-        GraspError: the wrench is resisted, or a rotation that is not above 0.
+        GraspError: as for `draw_proof`.
     """
     maps = proof_maps(grasp, wrench, rotation)
     heading = (

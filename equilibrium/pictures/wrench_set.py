@@ -109,11 +109,11 @@ class WrenchBox:
         def score(seen: Sequence[IntegerVector]) -> Floats:
             towards = np.array(seen) @ areas.T
             towards = np.where(sheet, np.abs(towards), np.maximum(towards, 0.0))
-            found: Floats = towards @ share + np.array(seen) @ (0.001, -0.01, 0.1)
-            return found
+            scores: Floats = towards @ share + np.array(seen) @ (0.001, -0.01, 0.1)
+            return scores
 
-        found = views((-9, -5, 5, 9), (-9, -5, 5, 9), (4, -4))
-        return best_view([v for v in found if abs(v[0]) != abs(v[1])], score)
+        candidates = views((-9, -5, 5, 9), (-9, -5, 5, 9), (4, -4))
+        return best_view([v for v in candidates if abs(v[0]) != abs(v[1])], score)
 
     def inside(self, wrench: RationalVector) -> list[float]:
         """Return the place of a wrench in the coordinates of the box."""
@@ -286,7 +286,7 @@ def draw_wrench_set(
 
 def _maths(text: str) -> str:
     """Return a text with the names of wrenches as formulas."""
-    return re.sub("f_[xy]|τ", lambda found: f"${found[0]}$".replace("τ", r"\tau"), text)
+    return re.sub("f_[xy]|τ", lambda name: f"${name[0]}$".replace("τ", r"\tau"), text)
 
 
 def _lit(normal: Floats) -> str:

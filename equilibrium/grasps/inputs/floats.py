@@ -172,8 +172,8 @@ def read_float_data(
     document = read_contacts(source, "points", floats=float)
     extras: list[dict[str, Any]] = []
     if "contacts" in document:
-        given = check_list(document["contacts"], "contacts")
-        listed = [contact_entry(entry, f"contacts[{i}]") for i, entry in enumerate(given)]
+        rows = check_list(document["contacts"], "contacts")
+        listed = [contact_entry(entry, f"contacts[{i}]") for i, entry in enumerate(rows)]
         extras = [extras_of(entry) for entry in listed]
         document = _columns({**document, "contacts": listed})
     required = ("schema_version", "points", "normals", VALUES[0])
@@ -186,8 +186,8 @@ def read_float_data(
         for key in ("points", "normals")
     )
     values: dict[str, Any] = {
-        key: [_plain(x, key) for x in given] if isinstance(given, list) else _plain(given, key)
-        for key, given in document.items()
+        key: [_plain(x, key) for x in value] if isinstance(value, list) else _plain(value, key)
+        for key, value in document.items()
         if key in VALUES
     }
     conversion = from_float_data(points, normals, **values, **options)
