@@ -10,11 +10,11 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from arrangement.console import terminal
-from arrangement.console.colours import print_verdict
 from arrangement.console.options import values
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, number_text, shown, to_text
+from equilibrium.cli.colours import print_verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.labels import AS_ROUNDED
 

@@ -13,11 +13,11 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from arrangement.console import terminal, workers
-from arrangement.console.colours import print_verdict
 from arrangement.console.progress import Bar, shown
 from arrangement.console.safe_text import safe_lines
 from arrangement.console.writing import make_folder, write_text_atomically
 from arrangement.errors import InputError
+from equilibrium.cli.colours import print_verdict
 from proofs_check import claims
 from proofs_check.course.printed_table import Row, check_table, value_text
 from proofs_check.errors import OwnClaimError

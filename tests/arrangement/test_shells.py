@@ -10,8 +10,8 @@ from importlib.metadata import version
 
 import pytest
 
-from arrangement.console.colours import print_verdict
 from arrangement.console.safe_text import safe_stdout
+from equilibrium.cli.colours import print_verdict
 
 PROGRAMS = ("arrangement", "equilibrium", "proofs-check")
 
