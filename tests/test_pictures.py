@@ -27,6 +27,7 @@ from arrangement.drawing.path_artist import Paths, figure, into
 from arrangement.drawing.scene import ROLES, Ball, Item, Label, Mark, Path as Drawn, Scene, measure
 from arrangement.drawing.themes import _from_oklab, _oklab, apply_theme
 from arrangement.drawing.tikz import tex_text, tikz
+from arrangement.drawing.views import Printing
 from arrangement.library.families import catalan, generic, shi
 from arrangement.numbers import exact
 from arrangement.pictures import DRAWINGS as OF_PLANES, compose, draw_sphere
@@ -678,11 +679,15 @@ def test_several_views_are_panels_of_one_width(tmp_path, capsys):
     assert draw_planes(["draw", "braid-a3", "-o", str(path), "--columns", "2"]) == 2
 
 
-def test_what_turns_is_a_gif_of_so_many_pictures(tmp_path, capsys):
+def test_what_turns_is_a_gif_of_so_many_pictures(tmp_path, monkeypatch, capsys):
     path = tmp_path / "turn.gif"
     write_drawing(read_arrangement("coordinate-planes"), path, "planes", frames=3)
     with Image.open(path) as found:
         assert found.n_frames == 3
+    films: list[Any] = []
+    monkeypatch.setattr(Printing, "write_movie", lambda *arguments: films.append(arguments))
+    write_drawing(read_arrangement("coordinate-planes"), path, "planes")
+    assert [change["azimuth"] for change in films[0][-1](4)] == [0, 90, 180, 270]
     assert draw_planes(["draw", "braid-a3", "-o", str(path), "--view", "graph"]) == 2
     assert "does not turn; there are sphere, planes" in capsys.readouterr().err
 
@@ -725,6 +730,9 @@ def test_help_explains_the_options_of_a_view_and_of_no_other(name, capsys):
     for option in OF_PLANES.options(kind, name):
         assert re.search(rf"^  --{option.replace('_', '-')}\b", helps[0], re.MULTILINE)
     assert ("--window" in helps[0]) == (name == "lines")
+    for kind in ("model", "page"):
+        there = name in OF_PLANES.entries(kind)
+        assert (re.search(rf"^{kind} {name}: ", helps[0], re.MULTILINE) is not None) == there
 
 
 @pytest.mark.parametrize(

@@ -192,6 +192,21 @@ def test_regions_bounded_in_the_span_of_the_normals_are_counted(capsys, tmp_path
     )
 
 
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--verified"], "give --classes M"),
+        (["--families", "--verified"], "give --classes M"),
+        (["--families", "--classes", "4"], "give one"),
+        (["braid-a3", "--classes", "4"], "give one"),
+    ],
+)
+def test_list_refuses_what_does_not_go_together(words, message, capsys):
+    code, out, error = call(capsys, "list", *words)
+    assert (code, out) == (2, "")
+    assert message in error
+
+
 def test_members_of_all_families_can_be_made_and_read(capsys):
     _, out, _ = call(capsys, "list", "--families", "--json")
     described = {entry["name"]: entry["description"] for entry in json.loads(out)["names"]}

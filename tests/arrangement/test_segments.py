@@ -182,14 +182,15 @@ class TestCommand:
 
     def test_what_is_for_arrangements_is_refused(self, path, tmp_path, capsys):
         for words in (
-            ["count", str(path), "--verified"],
-            ["count", str(path), "--inside", str(path)],
             ["faces", str(path)],
             ["draw", str(path), "--view", "lines", "-o", str(tmp_path / "x.svg")],
             ["draw", str(path), "--labels", "none", "-o", str(tmp_path / "x.svg")],
         ):
             assert main(words) == 2
         capsys.readouterr()
+        for option in ("forecast", "inside P", "primes 5", "store F", "time-limit 9", "verified"):
+            assert main(["count", str(path), *f"--{option}".split()]) == 2
+            assert f"--{option.split()[0]} is for arrangements" in capsys.readouterr().err
         assert not (tmp_path / "x.svg").exists()
 
     def test_draw_writes_a_picture(self, path, tmp_path):

@@ -246,6 +246,14 @@ def test_markdown_has_a_command_where_the_record_does(command, record):
     assert lines == ([f"- command: {command}"] if command else [])
 
 
+def test_markdown_has_the_instances_of_counterexamples(record):
+    found = [one["counterexample"] for one in record["results"] if one["counterexample"]]
+    instances = [json.dumps(one["instance"]) for one in found if one["instance"]]
+    lines = pages.markdown(record).splitlines()
+    assert instances
+    assert [line for line in lines if line.startswith("{")] == instances
+
+
 @pytest.mark.slow
 def test_the_python_of_a_card_gives_its_verdict(record, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

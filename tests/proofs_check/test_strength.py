@@ -89,6 +89,12 @@ def test_a_verdict_is_in_the_four_words(id, words):
     assert text.conclusion(old) == words
 
 
+def test_numbers_of_verdicts_agree_with_their_verbs():
+    cases = {"verdict": ClaimVerdict.HOLDS.value, "evidence_kind": Kind.EXHAUSTIVE.value}
+    assert text.counts_by_strength([cases]) == [(1, "holds in all cases")]
+    assert text.counts_by_strength([cases] * 3) == [(3, "hold in all cases")]
+
+
 def test_evidence_from_samples_says_nowhere_that_a_claim_holds():
     for claim_of_paper in registry():
         if claim_of_paper.kind is Kind.SAMPLED and claim_of_paper.hypothesis:
