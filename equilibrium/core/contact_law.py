@@ -30,7 +30,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any, NamedTuple, TypeAlias
 
-from arrangement.numbers.exact import RationalVector, dot
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot
 from arrangement.numbers.linear.intervals import Interval
 from arrangement.numbers.linear.rank import unit_vectors
 from equilibrium.model.contact import Contact
@@ -226,6 +226,31 @@ class LinearQuestion:
         if (i, state) not in self._conditions:
             self._conditions[i, state] = self._law(i, state)
         return self._conditions[i, state]
+
+    def motion_rows(self, i: int, state: State) -> list[tuple[IntegerVector, bool]]:
+        """Return the conditions of a state on the motion alone, without t.
+
+        Returns:
+            Rows, constant last, that are at least 0; or, if that is said beside them, 0.
+        """
+        law = self.conditions(i, state)
+        return [
+            (tuple(x.row.get(j, 0) for j in (*range(self.rows.n), -1)), is_zero)
+            for is_zero, conditions in ((False, law.least), (True, law.equal))
+            for x in conditions
+            if not any(force in x.row for force in law.unknowns)
+        ]
+
+    def unit_wrenches(self, i: int, state: str) -> list[RationalVector]:
+        """Return the extreme wrenches of a normal force of 1 in a state; along one tangent.
+
+        Those of contacts that may slip either way have friction at both of its limits.
+        """
+        both = [ContactState.of(state, 1, share=(x,)) for x in (1, -1)]
+        ends: list[State] = [state] if self.sign(i, state) else [*both]
+        arms = (arm for end in ends for _, arm in self.conditions(i, end).arms)
+        wrenches = (tuple(fraction(arm.get(j, 0)) for j in range(self.rows.n)) for arm in arms)
+        return list(dict.fromkeys(wrenches))
 
     def _law(self, i: int, state: State) -> ContactConditions:
         frame = self._frames[i]

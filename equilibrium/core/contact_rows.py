@@ -24,33 +24,11 @@ Pair: TypeAlias = tuple[RationalVector, RationalVector]
 
 _Number = TypeVar("_Number", int, Fraction)
 
-#: The sign of the friction force of a slipping contact: against its motion along the tangent.
-DIRECTION = {"slip+": -1, "slip-": 1}
-
 
 def normal_force_row(contact: Contact) -> RationalVector:
     """Return the normal force of a touching contact, ``preload - stiffness N . d``."""
     preload, *spring = spring_row(contact)
     return (*spring, preload)
-
-
-def slip_row(contact: Contact, n: int = 3) -> RationalVector:
-    """Return the motion of the contact point along the tangent, ``T . d``."""
-    return (*contact.tangential_wrench, *[Fraction(0)] * (n - 2))
-
-
-def displacement_rows(
-    max_displacement: Fraction | None, grasp: Grasp, n: int = 3
-) -> list[RationalVector]:
-    """Return what is at least 0 where contact points move by no more than counts."""
-    if max_displacement is None:
-        return []
-    return [
-        (*(sign * x for x in wrench), *[Fraction(0)] * (n - 3), max_displacement)
-        for contact in grasp
-        for wrench in (contact.normal_wrench, contact.tangential_wrench)
-        for sign in (-1, 1)
-    ]
 
 
 def unit_row(column: int, n: int) -> RationalVector:
@@ -179,8 +157,3 @@ def cone_edge(contact: Contact, along: Iterable[Fraction]) -> RationalVector:
     for tangential, x in zip(contact.tangential_wrenches, along, strict=True):
         edge = sum_row(edge, tangential, contact.friction * x)
     return edge
-
-
-def slip_edge(contact: Contact, state: str) -> RationalVector:
-    """Return the wrench of a unit normal force with the friction of a slipping contact."""
-    return cone_edge(contact, (Fraction(DIRECTION[state]),))

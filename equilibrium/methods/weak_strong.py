@@ -39,7 +39,6 @@ from equilibrium.core.contact_rows import (
     cone_rows,
     friction_edges,
     negated,
-    slip_row,
     sum_row,
     unit_row,
 )
@@ -157,8 +156,10 @@ def _system(
     equalities = [sum_row(a, b, -unit) for a, b in zip(forces, inertia, strict=True)]
     inequalities: list[RationalVector] = []
     for contact, (push, friction), (normal, slip) in zip(grasp, pairs, label, strict=True):
-        opening = (*contact.normal_wrench, *[Fraction(0)] * (n - 2))
-        sliding = slip_row(contact, n)
+        opening, sliding = (
+            (*wrench, *[Fraction(0)] * (n - 2))
+            for wrench in (contact.normal_wrench, contact.tangential_wrench)
+        )
         if normal > 0:
             inequalities.append(opening)
             equalities += [push, friction]

@@ -38,11 +38,12 @@ from arrangement.numbers.exact import (
 from arrangement.numbers.linear.cones import generators
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from equilibrium.certificate.leaves import ClosedPart, parts, works
-from equilibrium.core.contact_rows import negated, normal_force_row, slip_row
+from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.rows import ContactRows
 
 from .body import Frame, frame_of
 from .grasp import GraspLayout
@@ -136,11 +137,9 @@ def _conditions(part: ClosedPart, grasp: Grasp) -> Iterator[tuple[IntegerVector,
     """Yield rows ``a . (x, y, r, d_0) >= 0`` of a part, and whether ``= 0`` is meant instead."""
     for zero, *row in generators(part.region, (), 4)[0]:
         yield (*row, zero), False
+    question = LinearQuestion(ContactRows.of_grasp(grasp), (Fraction(0),) * 3)
     for i, state in part.states.items():
-        spring, slip = normal_force_row(grasp.contacts[i]), slip_row(grasp.contacts[i])
-        yield primitive(negated(spring) if state == "detached" else spring), False
-        if state not in ("detached", "attached"):
-            yield primitive(negated(slip) if state == "slip-" else slip), state == "stick"
+        yield from question.motion_rows(i, state)
 
 
 def _centres(

@@ -19,22 +19,18 @@ from arrangement import Arrangement
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.progress import watched
 from arrangement.numbers import budget
-from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, reduced
+from arrangement.numbers.exact import IntegerVector, RationalVector, dot, reduced
 from arrangement.numbers.float_filter import SMALLEST, Booleans, error_bound, scale_rows
 from arrangement.numbers.linear.cones import Cone
 from arrangement.numbers.linear.intervals import Interval, intersection, union
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.rank import difference
 from arrangement.numbers.packing import pack
-from equilibrium.core.contact_rows import (
-    displacement_rows,
-    friction_edges,
-    negated,
-    normal_force_row,
-    slip_edge,
-)
+from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_rows import negated, normal_force_row
 from equilibrium.decide.solver import Solver
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.rows import ContactRows
 from equilibrium.plane.states.contact_states import States
 from equilibrium.wrench_sets.separation import surely_outside
 
@@ -42,6 +38,7 @@ from equilibrium.wrench_sets.separation import surely_outside
 _MANY = 40
 #: The states with a normal force, and the number of each state in arrays.
 _TOUCHING = ("stick", "slip+", "slip-")
+_ATTACHED = ("attached", *_TOUCHING)
 _CODES = {state: k for k, state in enumerate(("detached", *_TOUCHING))}
 
 
@@ -50,13 +47,13 @@ class _Integers(NamedTuple):
 
     Attributes:
         spring: the row of the normal force, times a factor that is the same for all contacts.
-        slip: a multiple of the homogeneous row ``T . d``.
+        cuts: for each state the rows that are at least 0 at its motions; or 0, if that is said.
         balances: for each state the extreme wrenches that balance a normal force of 1 with its
             tangential force, times a factor that is the same for all contacts.
     """
 
     spring: IntegerVector
-    slip: IntegerVector
+    cuts: dict[str, list[tuple[IntegerVector, bool]]]
     balances: dict[str, list[IntegerVector]]
 
 
@@ -71,14 +68,13 @@ class StateImages:
     """
 
     def __init__(self, grasp: Grasp, max_displacement: Fraction | None = None) -> None:
+        question = LinearQuestion(
+            ContactRows.of_grasp(grasp), (Fraction(0),) * 3, max_displacement=max_displacement
+        )
         springs = [normal_force_row(contact) for contact in grasp]
-        edges = []
-        for contact in grasp:
-            both = list(dict.fromkeys(friction_edges(contact)))
-            slipping = {state: [slip_edge(contact, state)] for state in ("slip+", "slip-")}
-            edges.append({"stick": both, "attached": both, **slipping})
+        edges = [{x: question.unit_wrenches(i, x) for x in _ATTACHED} for i in range(len(grasp))]
         first = lcm(*(x.denominator for row in springs for x in row))
-        rows = [edge for e in edges for edge in e["stick"]]
+        rows = [edge for e in edges for edge in e["attached"]]
         second = lcm(*(x.denominator for row in (*rows, grasp.adhesion_wrench) for x in row))
         self._scale = first * second
         #: What balances the adhesion, for a motion with 1 last.
@@ -86,15 +82,13 @@ class StateImages:
         self._contacts = [
             _Integers(
                 tuple(int(x * first) for x in spring),
-                primitive((*contact.tangential_wrench, Fraction(0))),
+                {x: question.motion_rows(i, x) for x in ("detached", *_ATTACHED)},
                 {name: [tuple(int(-x * second) for x in v) for v in e[name]] for name in e},
             )
-            for contact, spring, e in zip(grasp, springs, edges, strict=True)
+            for i, (spring, e) in enumerate(zip(springs, edges, strict=True))
         ]
         self._whole = Cone(4)
         self._whole.cut((0, 0, 0, 1), keep_positive=True)
-        for row in displacement_rows(max_displacement, grasp):
-            self._whole.cut(primitive(row), keep_positive=True)
         self._grasp = grasp
         self._path: list[tuple[str, Cone]] = []
         self._plane: IntegerVector | None = None
@@ -135,15 +129,8 @@ class StateImages:
         cone = self._path[-1][1] if self._path else self._whole
         for contact, state in zip(self._contacts[shared:], states[shared:], strict=True):
             cone = cone.copy()
-            if cone.has_points:
-                detached = state == "detached"
-                spring = negated(contact.spring) if detached else contact.spring
-                cone.cut(reduced(spring), keep_positive=True)
-                if state == "stick":
-                    cone.cut(contact.slip, keep_positive=False)
-                elif state not in ("detached", "attached"):
-                    slip = contact.slip if state == "slip+" else negated(contact.slip)
-                    cone.cut(slip, keep_positive=True)
+            for row, is_zero in contact.cuts[state] if cone.has_points else ():
+                cone.cut(reduced(row), keep_positive=not is_zero)
             self._path.append((state, cone))
         return cone
 
@@ -193,7 +180,8 @@ class StateImages:
             return np.ones(len(listed), np.bool_)
         at_infinity = Arrangement(planes.normals).faces(1).points[:, :-1].tolist()
         motions = [*planes.faces(0).points.tolist(), *((*ray, 0) for ray in at_infinity)]
-        springs, slips = ([getattr(c, name) for c in self._contacts] for name in ("spring", "slip"))
+        springs = [contact.spring for contact in self._contacts]
+        slips = [contact.cuts["slip+"][-1][0] for contact in self._contacts]
         rows = np.array([*springs, (0, 0, 0, 1), *slips], object)
         values = np.array(motions, object) @ rows.T
         forces, moves = (
