@@ -23,10 +23,11 @@ from arrangement.drawing.labels import HAIR, spread_angles
 from arrangement.drawing.layout import lay_out
 from arrangement.drawing.output import own_settings, picture_bytes
 from arrangement.drawing.path_artist import figure
-from arrangement.drawing.scene import Label, Path as Drawn, Scene, area
+from arrangement.drawing.scene import Label, Path as Drawn, Scene, area, curve_points
 from arrangement.duals.inscribed.hull import representative_hull
 from arrangement.duals.zonohedron import dual_polyhedron
 from arrangement.library.families import coxeter, random_integer, simplicial
+from arrangement.numbers.exact import sign_text
 from arrangement.pictures import (
     charts,
     draw_counts,
@@ -148,6 +149,22 @@ def test_count_marks_lie_on_the_printed_curves():
 
 
 # Where things are.
+
+
+@pytest.mark.parametrize("name", ["braid-a3", "four-generic-planes", "reflection-b3"])
+def test_both_halves_are_in_their_frame_and_the_outer_region_is_beneath(name):
+    planes, direction = read_arrangement(name), (4, 3, 5)
+    made = draw_stereographic.scene(planes, camera=direction, whole=True, coordinates="given")
+    frame = next(item.points for item in made.items if item.role == "border")
+    curves = [x.points for x in made.items if x.name.startswith("arc-")]
+    drawn = np.concatenate(list(map(curve_points, curves)))
+    assert (drawn.min(axis=0) > frame.min(axis=0)).all()
+    assert (drawn.max(axis=0) < frame.max(axis=0)).all()
+    assert np.ptp(drawn, axis=0).max() > 0.6 * np.ptp(frame)
+    regions = [x for x in made.items if x.name.startswith("region-")]
+    outside = made.numbers[sign_text(planes.signs_at([-x for x in direction]))]
+    assert regions[0].name == f"region-{outside}"
+    assert np.array_equal(regions[0].points, frame)
 
 
 def test_sign_vectors_stand_in_their_regions():
