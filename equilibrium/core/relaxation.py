@@ -229,7 +229,7 @@ class Programs:
         c, arms = contacts, contacts.arms(1 / contacts.length)
         self._cones, self._n, self._frame = cones, c.rows.n, 1 + c.rows.tangents
         self._frames = np.concatenate([c.normal[:, None], c.tangents], axis=1) * arms
-        self._stiffness, self._preload, self._friction = c.stiffness, c.preload, c.friction
+        self._springs, self._friction = FloatLaw(*c.in_units(arms, 1.0, 1.0)).spring, c.friction
         self.shapes: list[_ConeShape] = []
         self._numbers: dict[_ConeShape, int] = {}
         self.block = lru_cache(_MAX_BLOCKS)(self._new_block)
@@ -256,9 +256,8 @@ class Programs:
             rows[:f, pins:-1], rows[f:, pins:-1] = np.eye(f), -np.eye(f)
             cones.append(("plus", rows))
         if state != "loose":
-            row = np.zeros((1, width))
-            row[0, :n] = -hardness * self._stiffness[i] * frame[0]
-            preload = pressure * self._preload[i]
+            row, preload = np.zeros((1, width)), pressure * self._springs[i, 0]
+            row[0, :n] = hardness * self._springs[i, 1:]
             row[0, [n, end, alpha]] = -float(state != "detached"), -preload, 1.0
             cones.append(("plus" if state in ("undecided", "detached") else "zero", row))
         if state != "detached":
