@@ -153,18 +153,18 @@ class EngineScene(ReprMixin):
                 magnitudes = resisted_magnitudes(solver, direction)
                 known["resisted"] = magnitudes.to_dict()["intervals"]
                 ends = {end for interval in magnitudes.intervals for end in interval if end}
-                asked = {end * (1 + way * BESIDE) for end in ends for way in (-1, 0, 1)}
+                tried = {end * (1 + side * BESIDE) for end in ends for side in (-1, 0, 1)}
             else:
                 borders = spatial_magnitudes(self.grasp, direction, width=_WIDTH).borders
                 known["borders"] = [border.to_dict() for border in borders]
-                asked = {x for b in borders for x in (b.resisted, b.refused)}
-                ways = [(b.resisted, 1 if b.resisted > b.refused else -1) for b in borders]
-                asked |= {end * (1 + way * BESIDE) for end, way in ways}
+                tried = {x for b in borders for x in (b.resisted, b.refused)}
+                sides = [(b.resisted, 1 if b.resisted > b.refused else -1) for b in borders]
+                tried |= {end * (1 + side * BESIDE) for end, side in sides}
             known["verdicts"] = []
-            for t in sorted(asked) or [Fraction(1)]:
-                told = solver.solve([t * x for x in direction])
-                proof = told.certificate and told.certificate.to_dict()
-                entry = {"magnitude": to_text(t), "verdict": told.verdict, "certificate": proof}
+            for t in sorted(tried) or [Fraction(1)]:
+                verdict = solver.solve([t * x for x in direction])
+                proof = verdict.certificate and verdict.certificate.to_dict()
+                entry = {"magnitude": to_text(t), "verdict": verdict.verdict, "certificate": proof}
                 known["verdicts"].append(entry)
             yield known
 

@@ -118,18 +118,18 @@ def add_applied(
 ) -> Any:
     """Add a wrench, as such, or as a force or a weight at a point; see `applied`.
 
-    Returns the group of these ways, of which one may be taken.
+    Returns the group of these options, of which one may be taken.
 
     Args:
         name, text: of the option that takes the wrench as such.
-        required: whether one of the three ways must be taken.
+        required: whether one of the three must be taken.
     """
-    ways: Any = parser.add_mutually_exclusive_group(required=required)
-    add_wrench(ways, name, text, None)
-    add_force(parser, ways)
+    group: Any = parser.add_mutually_exclusive_group(required=required)
+    add_wrench(group, name, text, None)
+    add_force(parser, group)
     whole: Any = getattr(parser, "_container", parser)  # a group knows its parser
     whole.strays[r"[-+]?[0-9./][-+0-9./,]*"] = f"{name} {' '.join(_AXES)}"
-    return ways
+    return group
 
 
 def add_displacement(parser: argparse.ArgumentParser) -> None:
@@ -158,12 +158,12 @@ def _cone(text: str) -> int | None:
     return int(count)
 
 
-def add_force(parser: argparse.ArgumentParser, ways: Any) -> None:
-    """Add a force or a weight at a point, to the ways in which a wrench can be given."""
+def add_force(parser: argparse.ArgumentParser, group: Any) -> None:
+    """Add a force or a weight at a point to the options of which one states a wrench."""
     rational = values.rational_argument
     text = "instead: a force (three numbers in space)"
-    force = ways.add_argument("--force", nargs=2, metavar=_AXES[:2], type=rational, help=text)
-    ways.add_argument(
+    force = group.add_argument("--force", nargs=2, metavar=_AXES[:2], type=rational, help=text)
+    group.add_argument(
         "--weight",
         metavar="W",
         type=rational,
@@ -188,7 +188,7 @@ def applied(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector:
 
 
 def has_load(arguments: argparse.Namespace) -> bool:
-    """Return whether a wrench, a force or a weight is given.
+    """Return whether an option states a wrench, a force or a weight.
 
     Raises:
         GraspError: a place without a force or a weight.
@@ -200,7 +200,7 @@ def has_load(arguments: argparse.Namespace) -> bool:
 
 
 def force_given(arguments: argparse.Namespace, dimension: int = 2) -> RationalVector | None:
-    """Return the wrench of the force or the weight, if one of them was given."""
+    """Return the wrench of the force or the weight, if an option states one of them."""
     from equilibrium.model.grasp import wrench_of
 
     if not has_load(arguments) or arguments.force is arguments.weight is None:
@@ -238,13 +238,13 @@ class _OnBody(argparse._AppendAction):
 
 
 def add_on_body(
-    ways: Any,
+    group: Any,
     name: str = "--on",
     text: str = "the wrench on one body, instead of that in its file",
 ) -> None:
-    """Add wrenches on the bodies of an assembly, to the ways in which a wrench can be given."""
+    """Add wrenches on the bodies of an assembly to the options of which one states a load."""
     text = f"of an assembly: {text}; repeatable"
-    ways.add_argument(name, nargs=4, action=_OnBody, metavar=("BODY", *_AXES), help=text)
+    group.add_argument(name, nargs=4, action=_OnBody, metavar=("BODY", *_AXES), help=text)
 
 
 def spanning_wrench(text: str) -> tuple[Fraction, ...]:
@@ -347,7 +347,7 @@ class Bodies(NamedTuple):
     has_key: bool
 
     def wrenches(self, on_bodies: Any = None, *, required: bool = True) -> Wrenches:
-        """Return the wrenches given, for other bodies those of the file, else zero.
+        """Return the wrenches of options, for other bodies those of the file, else zero.
 
         Raises:
             GraspError: there are none, and some are required.

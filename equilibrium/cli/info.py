@@ -324,12 +324,12 @@ def _report_load(
     resisted = ResistedSet(grasp)
     verdict: Verdict = resisted.solve(load)
     document |= {"wrench": load, "verdict": verdict.verdict}
-    said = verdict.lines()
+    lines = verdict.lines()
     if verdict.rounding is not None:
         document["within_error"] = verdict.rounding.to_dict()
-        said.insert(0, verdict.rounding.words)
+        lines.insert(0, verdict.rounding.words)
     intervals: Sequence[Interval] = ()
-    rows = [("load", vector(load)), ("verdict", "\n".join(said))]
+    rows = [("load", vector(load)), ("verdict", "\n".join(lines))]
     if grasp.dimension == 2 and any(load):
         factors = resisted.margin(load)
         intervals = factors.intervals

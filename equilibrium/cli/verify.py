@@ -101,7 +101,7 @@ def _by_verified_checker(arguments: argparse.Namespace, question: Any) -> Report
 
 
 def _of_letter(arguments: argparse.Namespace, letter: str) -> Any:
-    """Return the questions with a letter that the certificate has to be about, if given."""
+    """Return the questions with a letter that the certificate has to be about, if stated."""
     from equilibrium.grasps.inputs.parameter import read_parametric
 
     if arguments.grasp is None:
@@ -113,7 +113,7 @@ def _of_letter(arguments: argparse.Namespace, letter: str) -> Any:
 
 
 def _question(arguments: argparse.Namespace) -> Any:
-    """Return what the certificate has to be about, if that was given."""
+    """Return what the certificate has to be about, if that was stated."""
     loads = ("wrench", "force", "weight", "at")
     names = ("grasp", *loads, "preload", "cone", "max_displacement")
     grasp, *load = (getattr(arguments, name) is not None for name in names)

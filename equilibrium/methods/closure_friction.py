@@ -134,11 +134,11 @@ def closure_frictions(grasps: Sequence[Grasp], tolerance: Any = TOLERANCE) -> Fl
     brackets = np.full((len(grasps), 2), np.inf)
     for row, grasp in zip(brackets, watched(grasps, "grasps", len(grasps)), strict=True):
         bracket = closure_friction(grasp, tolerance)
-        for k, (end, way) in enumerate(((bracket.low, -1), (bracket.high, 1))):
+        for k, (end, outwards) in enumerate(((bracket.low, -1), (bracket.high, 1))):
             if end is not None:
                 row[k] = float(end)
-                if (Fraction(row[k]) - end) * way < 0:
-                    row[k] = np.nextafter(row[k], way * np.inf)
+                if (Fraction(row[k]) - end) * outwards < 0:
+                    row[k] = np.nextafter(row[k], outwards * np.inf)
     return brackets
 
 

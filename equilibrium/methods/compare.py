@@ -88,11 +88,11 @@ class Comparison:
     @property
     def disagreeing(self) -> tuple[str, ...]:
         """The methods with another verdict than the full model; none where it has none."""
-        told = self.answers[0].accepts
+        complete = self.answers[0].accepts
         return tuple(
             answer.method
             for answer in self.answers
-            if None not in (told, answer.accepts) and answer.accepts is not told
+            if None not in (complete, answer.accepts) and answer.accepts is not complete
         )
 
     def __getitem__(self, method: str) -> Answer:
@@ -100,8 +100,8 @@ class Comparison:
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; `agrees` is null where it or the full model says nothing."""
-        asked = {} if self.pyramid is None else {"pyramid": self.pyramid}
-        return asked | {
+        cones = {} if self.pyramid is None else {"pyramid": self.pyramid}
+        return cones | {
             "stable": self.answers[0].accepts,
             "methods": [
                 {

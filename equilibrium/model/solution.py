@@ -202,8 +202,8 @@ class Leaf:
         left = iter(numbers)
         motion = tuple(next(left) for _ in self.motion)
         rows = (
-            {i: tuple(next(left) for _ in row) for i, row in some.items()}
-            for some in (self.multipliers, self.displacements)
+            {i: tuple(next(left) for _ in row) for i, row in rows_of.items()}
+            for rows_of in (self.multipliers, self.displacements)
         )
         return Leaf(motion, *rows)
 

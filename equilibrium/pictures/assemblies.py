@@ -132,8 +132,8 @@ def _ground(assembly: Assembly, frame: Frame, points: list[RationalVector]) -> l
         lines = shape.segments if isinstance(shape, Segments) else [shape.extremes]
         for line in lines:
             ends = np.array([frame.paper(end) for end in line])
-            for way in np.array([[1, 0], [-1, 0], [0, 1], [0, -1]]):
-                ends = clipped(ends, way, float((places @ way).min()) - _BEYOND)
+            for direction in np.array([[1, 0], [-1, 0], [0, 1], [0, -1]]):
+                ends = clipped(ends, direction, float((places @ direction).min()) - _BEYOND)
             if len(ends):
                 curves.append(closed_line(list(ends)))
     return curves

@@ -136,8 +136,8 @@ def _filled(p: Floats, u: Floats, q: Floats, turn: float) -> list[_Stop]:
     normal = np.array([-u[1], u[0]])
     centre = middle + outward * (reach - float(normal @ (middle - p))) / float(normal @ outward)
     number = math.ceil(turn / (0.5 * math.pi) - 1e-9) - 1
-    ways = [_turned(u, turn * (j + 1) / (number + 1)) for j in range(number)]
-    return [(centre + reach * np.array([w[1], -w[0]]), w) for w in ways]
+    tangents = [_turned(u, turn * (j + 1) / (number + 1)) for j in range(number)]
+    return [(centre + reach * np.array([w[1], -w[0]]), w) for w in tangents]
 
 
 def _bend(p: Floats, u: Floats, q: Floats, v: Floats) -> _Piece:
@@ -188,16 +188,16 @@ def free_lengths(outline: Floats, start: Floats, angles: Floats) -> Floats:
     0 where the outside begins at once.
     """
     ends, near = np.roll(outline, -1, axis=0), 1e-3
-    ways = np.stack([np.cos(angles), np.sin(angles)], axis=1)[:, None]
+    directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)[:, None]
     along, away = ends - outline, outline - start
-    across = ways[..., 0] * along[:, 1] - ways[..., 1] * along[:, 0]
+    across = directions[..., 0] * along[:, 1] - directions[..., 1] * along[:, 0]
     across = np.where(np.abs(across) < 1e-12, 1e-12, across)
     length = (away[:, 0] * along[:, 1] - away[:, 1] * along[:, 0]) / across
-    at = (away[:, 0] * ways[..., 1] - away[:, 1] * ways[..., 0]) / across
+    at = (away[:, 0] * directions[..., 1] - away[:, 1] * directions[..., 0]) / across
     hits = (length > 2 * near) & (at >= 0) & (at <= 1)
     free = np.where(hits, length, np.inf).min(axis=1)
     # Whether a point just ahead is inside: by the edges above and below it.
-    x, y = np.moveaxis(start + near * ways, -1, 0)
+    x, y = np.moveaxis(start + near * directions, -1, 0)
     crossed = (outline[:, 1] > y) != (ends[:, 1] > y)
     slope = along[:, 0] / np.where(along[:, 1] == 0, 1, along[:, 1])
     right = crossed & (x < outline[:, 0] + (y - outline[:, 1]) * slope)

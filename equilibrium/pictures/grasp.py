@@ -196,12 +196,12 @@ def _cone_rim(curve: Floats | None, place: Floats, normal: Floats, friction: Fra
     """
     half = math.atan(nearest_float(friction))
     angles: Floats = math.atan2(normal[1], normal[0]) + np.linspace(-half, half, _RIM)
-    ways: Floats = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    directions: Floats = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     if curve is None:
-        return place + CONE * ways
+        return place + CONE * directions
     free = free_lengths(curve_points(curve), place, angles)
     reach = np.minimum(free, max(min(CONE, 0.92 * float(free.min())), CONE / 2))
-    return place + reach[:, None] * ways
+    return place + reach[:, None] * directions
 
 
 def _lines(layout: GraspLayout) -> Iterator[tuple[str, bool]]:

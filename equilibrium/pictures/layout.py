@@ -318,8 +318,8 @@ class PlanePicture:
         scene, labels, reach = self.scene, self.labels, ARC * self.layout.detail * self.scale
         if self.layout.origin is not None:
             o = self.at(self.layout.origin)
-            for way in (np.array([3, 0]), np.array([0, 3])):
-                scene.line([o - way, o + way], ec=GREY, lw=0.6, zorder=4.5, gid="origin")
+            for arm in (np.array([3, 0]), np.array([0, 3])):
+                scene.line([o - arm, o + arm], ec=GREY, lw=0.6, zorder=4.5, gid="origin")
         for load in self.layout.loads:
             (force, torque), o = load.names, self.at(load.place)
             if load.arm is not None:
@@ -339,7 +339,7 @@ class PlanePicture:
             if load.arm is not None:
                 ends = [o + share * self.scale * load.arm for share in (1, 0.5, 0)]
             if load.turn:
-                ends += [o + reach * np.array(way) for way in ((0, 1), (0, -1), (1, 0), (-1, 0))]
+                ends += [o + reach * np.array(arm) for arm in ((0, 1), (0, -1), (1, 0), (-1, 0))]
             if ends:
                 name_wrench(self.labels, ends, (o, reach + 7 if load.turn else 0.0))
 

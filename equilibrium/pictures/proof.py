@@ -156,12 +156,12 @@ def _centres(
 
 def summary_lines(maps: ProofMaps, named: int) -> Iterator[str]:
     """Yield what is shown, in words; `named` virtual motions are named beside."""
-    some = f", {named} of them named" if len(maps.ranks) > named else ""
+    more = f", {named} of them named" if len(maps.ranks) > named else ""
     yield (
         f"w = {LABEL.vector(maps.verdict.wrench)} is not resisted; "
         + (f"{maps.verdict.doubt}; " if maps.verdict.doubt else "")
         + f"regions of motions: {len(maps.parts)}; "
-        f"virtual motions λ = (x, y, r): {len(maps.ranks)}{some}"
+        f"virtual motions λ = (x, y, r): {len(maps.ranks)}{more}"
     )
     yield (
         "regions: motions of every size; farther centres and translations lie beyond the edges"

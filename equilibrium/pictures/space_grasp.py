@@ -380,8 +380,8 @@ def drawn_in_space(
 
 def clear_side(solid: SolidGrasp) -> IntegerVector:
     """Return a direction from above from which normals and forces are seen from the side."""
-    ways = [*solid.normals, *(a.end - a.start for a in solid.arrows() if not a.headless)]
-    along = unit(np.reshape(ways or np.zeros((1, 3)), (-1, 3)))
+    directions = [*solid.normals, *(a.end - a.start for a in solid.arrows() if not a.headless)]
+    along = unit(np.reshape(directions or np.zeros((1, 3)), (-1, 3)))
 
     def score(seen: Sequence[IntegerVector]) -> Floats:
         units = unit_vectors(seen)

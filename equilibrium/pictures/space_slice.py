@@ -47,15 +47,15 @@ def slice_in_space(grasp: Grasp, axes: Iterable[str], rays: int, width: float) -
     patient.trees, patient.solver = loads.trees, loads.solver
     for k in watched(range(rays), "rays"):
         angle = 2 * math.pi * k / rays
-        way = unit_normal((math.cos(angle), math.sin(angle)), Fraction(1, 100)).normal
+        direction = unit_normal((math.cos(angle), math.sin(angle)), Fraction(1, 100)).normal
         load = [Fraction(0)] * 6
-        load[first], load[second] = way
+        load[first], load[second] = direction
         # Without preload there is one load to ask, and an answer in any case.
         chosen_loads = patient if loads.scales else loads
         known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=chosen_loads, every=_EVERY)
         if chosen_loads is loads and known.samples[-1][1] == UNDECIDED:
             known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=patient, every=_EVERY)
-        spokes.append((np.array([float(x) for x in way]), known))
+        spokes.append((np.array([float(x) for x in direction]), known))
     rows = [
         [(float(v[first]), float(v[second]), float(rest)) for v, rest in tree]
         for tree in filter(None, loads.trees)
@@ -88,10 +88,10 @@ def _drawn(
             scene.polygon(corners, fc=_REFUTED, ec="none", zorder=0.4, gid=name, role="region")
             refuted += 1
     rim = []
-    for i, (way, known) in enumerate(spokes):
+    for i, (direction, known) in enumerate(spokes):
         end, within = 0.0, True
         for start, stop, held, tried in _stretches(known):
-            part = panel.at(np.minimum([start, stop], reach)[:, None] / reach * way)
+            part = panel.at(np.minimum([start, stop], reach)[:, None] / reach * direction)
             if held:
                 scene.line(part, ec=_HELD, lw=2.0, zorder=3, gid=f"spoke-{i + 1}", role="region")
                 end = min(stop, reach) / reach if within else end
@@ -101,7 +101,7 @@ def _drawn(
             within = False
             if start < reach and stop < math.inf:
                 scene.mark(part[0], "o", 2.2, color=BLACK, zorder=5)
-        rim.append(panel.at(end * way))
+        rim.append(panel.at(end * direction))
     if np.ptp(rim, axis=0).any():
         scene.polygon(rim, fc=SHADE, ec="none", zorder=0.5, gid="region-1", role="region")
     _explain(scene.legend, spokes, bool(ends), bool(refuted))

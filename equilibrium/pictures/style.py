@@ -64,8 +64,8 @@ def name_wrench(
 ) -> None:
     """Write w beside one of some points, farther from a place than a distance."""
     turns = math.pi / 4 * np.arange(8) + 0.4
-    ways = np.stack([np.cos(turns), np.sin(turns)], axis=1)
-    centres = np.concatenate([end + out * ways for out in (9, 13, 18) for end in ends])
+    directions = np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    centres = np.concatenate([end + out * directions for out in (9, 13, 18) for end in ends])
     if away is not None:
         centres = centres[np.linalg.norm(centres - away[0], axis=1) > away[1]]
     labels.write("w", fixed_places(centres), color=VERMILION, style="italic", weight="bold")

@@ -222,16 +222,16 @@ def extras_of(entry: Any) -> dict[str, Any]:
 
 def _along(force: Any, normal: Any, name: str) -> Fraction:
     """Return the component of a force along a normal of any length."""
-    push, way = (
+    push, along = (
         rational_vector(x, f"{name}: {kind}", from_float)
         for x, kind in ((force, "force"), (normal, "normal"))
     )
-    if len(push) != len(way) or not any(way):
+    if len(push) != len(along) or not any(along):
         raise GraspError(
-            f"{name}: force has {len(push)} numbers and normal {len(way)}; expected the same "
+            f"{name}: force has {len(push)} numbers and normal {len(along)}; expected the same "
             "number of them, and a normal other than zero"
         )
-    work, square = dot(push, way), dot(way, way)
+    work, square = dot(push, along), dot(along, along)
     return Fraction(work) if square == 1 else Fraction(float(work) / math.sqrt(square))
 
 

@@ -305,11 +305,11 @@ def _touches(first: Shape, second: Shape, gap: Fraction) -> Iterator[Touch]:
 def _round_touches(disc: Shape, other: Shape, form: Circle, gap: Fraction) -> Iterator[Touch]:
     """Yield where a disc or sphere touches."""
     reach = other.form.radius if isinstance(other.form, Circle) else Fraction(0)
-    due, ways = form.radius + reach, list(dict.fromkeys(_ways(form.centre, other)))
+    due, directions = form.radius + reach, list(dict.fromkeys(_ways(form.centre, other)))
     if isinstance(other.form, Polygon) and _contains(form.centre, other):
-        ways = [form.centre[:0]]
-    for way in ways:
-        square, least, most = dot(way, way), due - gap, due + gap
+        directions = [form.centre[:0]]
+    for direction in directions:
+        square, least, most = dot(direction, direction), due - gap, due + gap
         if square < least * least:
             raise GraspError(
                 f"{disc.name} and {other.name} overlap: the centre {vector_text(form.centre)} is "
@@ -317,7 +317,7 @@ def _round_touches(disc: Shape, other: Shape, form: Circle, gap: Fraction) -> It
                 "touch at most. Move one, or give a larger gap"
             )
         if square <= most * most:
-            yield Touch(disc, other, way, _root(square) - due if gap else Fraction(0))
+            yield Touch(disc, other, direction, _root(square) - due if gap else Fraction(0))
 
 
 def _ways(centre: RationalVector, shape: Shape) -> Iterator[RationalVector]:
