@@ -1,14 +1,8 @@
 """The convex relaxation of a node of the tree in space, solved as a conic program in floats.
 
-Unknowns are the motion and a force at each contact. The relaxed law, by the state of a contact:
-
-* loose: a force in the cone, without a spring;
-* undecided: ``c_n >= q - k N . d``, and in the cone;
-* detached: no force, ``q - k N . d <= 0``;
-* attached: ``c_n = q - k N . d``, and in the cone;
-* stick: attached, and ``T d = 0``;
-* slip in a sector: attached, T d in the sector, and c_t in the convex hull of what it allows;
-* with a largest displacement D: ``|N . d| <= D`` and ``|T d| <= D`` along each tangent.
+Unknowns are the motion and a force at each contact. The law, by the state of a contact, is that of
+`equilibrium.core.contact_law`; with two tangents a contact also slips in a sector of directions,
+with friction in the convex hull of what the sector allows (`equilibrium.core.cones`).
 
 Where nothing satisfies it together with balance, the dual ray has a virtual motion and multipliers:
 a leaf. Otherwise its solution says which contact to split.

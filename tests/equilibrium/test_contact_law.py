@@ -3,12 +3,16 @@
 from fractions import Fraction
 from itertools import product
 
+import numpy as np
 import pytest
 
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp
-from equilibrium.core.contact_law import ContactState, LinearQuestion
+from equilibrium.core.cones import LineCones
+from equilibrium.core.contact_law import ContactState, LinearQuestion, fraction
 from equilibrium.core.contact_program import ContactProgram
+from equilibrium.core.contacts import FloatContacts
+from equilibrium.core.relaxation import Relaxation
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Solution
@@ -123,3 +127,52 @@ def test_preloads_grow_by_their_shares(shares, chosen):
     assert [c.preload for c in question.at(F(2)).rows] == preloads
     (spring,) = question.conditions(1, "detached").least
     assert spring.row == {-1: -2, 1: 1, 2: 2, 3: -3 * (shares[1] if shares else 1)}
+
+
+def obeys(question, state, motion, forces):
+    """Whether the first contact obeys the exact law of a state."""
+    law = question.conditions(0, state)
+    known = {key: forces[0 if key[0] == "normal" else 1] for key in law.unknowns}
+
+    def value(terms):
+        at = {-1: 1, **dict(enumerate(motion)), **known}
+        return sum(fraction(x) * at[j] for j, x in question.expanded(terms).items())
+
+    return (
+        all(value(terms) == x for terms, x in zip(law.forces, forces, strict=True))
+        and all(value(x.terms) >= 0 for x in law.least)
+        and all(value(x.terms) == 0 for x in law.equal)
+    )
+
+
+def obeys_in_floats(relaxation, state, motion, forces):
+    """The same by the rows of its cone program."""
+    program = relaxation._program([state])
+    units = [*motion / relaxation.scale, *np.array(forces) / relaxation.force]
+    left = [*units, 0.0][: program.matrix.shape[1]]
+    rows = (program.right - program.matrix.table() @ left)[len(motion) :]
+    ok, start = not any(forces[len(left) - len(motion) :]), 0
+    for kind in program.layout.kinds[1:]:
+        part, start = rows[start : start + kind.dim], start + kind.dim
+        ok &= bool((np.abs(part) < 1e-9 if "Zero" in str(kind) else part > -1e-9).all())
+    return ok
+
+
+@pytest.mark.parametrize("friction", [F(0), MU])
+@pytest.mark.parametrize("most", [None, F(1)])
+def test_cone_programs_of_floats_have_the_exact_law(friction, most):
+    contact = Contact((1, 2), (0, 1), friction, stiffness=2, preload=1)
+    question = posed([contact], (0, 0, 0), max_displacement=most)
+    cones = LineCones()
+    relaxation = Relaxation(FloatContacts(question.rows), question.load, cones, most)
+    states = {name: name for name in ("loose", "undecided", "detached", "attached", "stick")}
+    states |= dict(zip(("slip+", "slip-"), cones.all, strict=True))
+    for name, state in states.items():
+        answers = []
+        for x, y, c, t in product(
+            (-2, 0, 1), (-2, 0, F(1, 2), 2), (0, 1, 5), (F(-5, 2), 0, F(1, 2))
+        ):
+            point = (F(x), F(y), F(0)), (F(c), F(t))
+            answers.append(obeys(question, name, *point))
+            assert obeys_in_floats(relaxation, state, *point) == answers[-1], (name, point)
+        assert 0 < sum(answers) < len(answers)
