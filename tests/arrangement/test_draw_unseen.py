@@ -43,6 +43,15 @@ def test_lines_drawn_as_one_have_a_note_and_a_joint_label(
     assert not set(joint.split(",")) & set(written)
 
 
+@pytest.mark.parametrize("first", [(1, 1, "1/1000"), (1, -1, 0)])
+def test_line_that_the_window_cuts_short_is_not_drawn_as_one(first):
+    """Its ends are near the other line, those of the other line are not near it."""
+    rows = [first, *{(1, 1, "1/1000"), (1, -1, 0)} - {first}]
+    lines = Arrangement([row[:2] for row in rows], [row[2] for row in rows])
+    scene = lines.draw("lines", window=[(0, 0), (10, 10)]).scene
+    assert not any("drawn as one" in note for note in scene.legend.notes)
+
+
 def test_far_lines_have_no_note():
     triangle = Arrangement([(1, 1), (1, 0), (0, 1)], [1, 0, 0])
     assert triangle.draw("lines").scene.legend.notes == []
