@@ -27,12 +27,7 @@ from . import number_form, progress
 from .entry import INTERRUPTED, fault
 from .options.completion import PrintCompletion
 from .options.parser import Parser, Version
-from .options.values import (
-    digits_argument,
-    integer_argument,
-    shard_argument,
-    times_argument,
-)
+from .options.values import digits_argument, integer_argument, shard_argument, times_argument
 from .safe_text import discard, error_text, safe_stderr, safe_stdout
 
 YES = 0

@@ -18,18 +18,9 @@ import numpy.typing as npt
 
 from arrangement.console.writing import write_bytes_atomically
 from arrangement.drawing.solids.meshes import KINDS, ClosedSurface, model_bytes, triangles
-from arrangement.enumeration.great_circles import (
-    Incidence,
-    SphereArrangement,
-    sphere_arrangement,
-)
+from arrangement.enumeration.great_circles import Incidence, SphereArrangement, sphere_arrangement
 from arrangement.errors import ArrangementError, InputError, extra
-from arrangement.numbers.exact import (
-    IntegerVector,
-    dot,
-    rational_vector,
-    shown,
-)
+from arrangement.numbers.exact import IntegerVector, dot, rational_vector, shown
 from arrangement.numbers.linear.rank import cross, cycle_edges, difference
 from arrangement.planes.planes import Planes
 

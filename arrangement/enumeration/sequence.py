@@ -20,12 +20,7 @@ from arrangement.console.number_form import ReprMixin
 from arrangement.errors import InputError, InstanceHintsMixin, missing_item
 from arrangement.numbers import budget
 from arrangement.numbers.coefficients import Coefficients, Integers
-from arrangement.numbers.exact import (
-    RationalVector,
-    fraction,
-    quotient,
-    shown,
-)
+from arrangement.numbers.exact import RationalVector, fraction, quotient, shown
 from arrangement.planes.faces import Face
 from arrangement.planes.planes import Planes
 

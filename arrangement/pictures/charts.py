@@ -20,12 +20,7 @@ from arrangement.errors import InputError, extra
 from arrangement.numbers import budget
 from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented
 from arrangement.numbers.linear.rank import cross
-from arrangement.pictures.coordinates import (
-    in_coordinates,
-    planes_view,
-    point_map,
-    symmetry,
-)
+from arrangement.pictures.coordinates import in_coordinates, planes_view, point_map, symmetry
 from arrangement.pictures.globe import (
     HIDDEN,
     LINE_WIDTH,

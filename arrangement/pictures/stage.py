@@ -40,9 +40,7 @@ from arrangement.duals.cells import Cell, Cells
 from arrangement.errors import InputError, extra
 from arrangement.numbers.exact import IntegerVector, dot, primitive, reduced, unoriented
 from arrangement.numbers.linear.rank import cycle_edges, loop_around, plane_through
-from arrangement.pictures.coordinates import (
-    REACH,
-)
+from arrangement.pictures.coordinates import REACH
 from arrangement.planes.planes import Planes
 
 #: Of the first plane of each class.

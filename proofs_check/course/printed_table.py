@@ -35,12 +35,7 @@ from arrangement.counts.whitney import why_none_is_bounded
 from arrangement.errors import ArrangementError, InputError, OutOfReachError, refusal
 from arrangement.library.census import MOST_LINES, MOST_PLANES, census
 from arrangement.library.census.catalogue import line_count
-from arrangement.library.census.chirotopes import (
-    Signs,
-    canonical,
-    extended,
-    extensions,
-)
+from arrangement.library.census.chirotopes import Signs, canonical, extended, extensions
 from arrangement.library.families import FAMILIES
 from arrangement.library.files.json_files import read_text
 from arrangement.numbers.exact import integer, shown

@@ -26,13 +26,7 @@ from arrangement.console.number_form import counted
 from arrangement.numbers.exact import to_text
 from proofs_check.errors import ClaimError
 from proofs_check.routes.proved import COUNTS
-from proofs_check.statements.evidence import (
-    Evidence,
-    Failure,
-    Part,
-    Record,
-    Result,
-)
+from proofs_check.statements.evidence import Evidence, Failure, Part, Record, Result
 from proofs_check.statements.statement import Claim, Kind, Strength
 
 from .text import value_text

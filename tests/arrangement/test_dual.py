@@ -15,12 +15,7 @@ from scipy.spatial import ConvexHull
 from arrangement import Arrangement, ArrangementError, InputError, counts, families
 from arrangement.duals import zonohedron
 from arrangement.duals.schlegel import schlegel_diagram
-from arrangement.duals.zonohedron import (
-    DualPolyhedron,
-    dual_polyhedron,
-    dual_zonotope,
-    zonotope,
-)
+from arrangement.duals.zonohedron import DualPolyhedron, dual_polyhedron, dual_zonotope, zonotope
 
 from .strategies import arrangements
 

@@ -8,11 +8,7 @@ import pytest
 
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp
-from equilibrium.certificate.contact_rule import (
-    broken_multipliers,
-    greatest_product,
-    within_room,
-)
+from equilibrium.certificate.contact_rule import broken_multipliers, greatest_product, within_room
 from equilibrium.core.cones import LineCones, RoundCones
 from equilibrium.core.contacts import FloatContacts, IntegerContacts
 from equilibrium.core.leaves import Leaves

@@ -24,11 +24,7 @@ from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Leaf, Solution
 from equilibrium.plane.search.motion_regions import HALF_SPACE, MotionRegions
 from equilibrium.plane.search.region_states import StateSplits, TooManyParts
-from equilibrium.plane.search.state_equilibrium import (
-    Guess,
-    exact_equilibrium,
-    find_equilibrium,
-)
+from equilibrium.plane.search.state_equilibrium import Guess, exact_equilibrium, find_equilibrium
 from equilibrium.plane.search.units import SearchUnits
 from equilibrium.wrench_sets.line import resisted_magnitudes
 

@@ -13,13 +13,7 @@ from fractions import Fraction
 from typing import Any, TypeVar
 
 from arrangement.numbers import budget
-from arrangement.numbers.exact import (
-    IntegerVector,
-    dot,
-    largest,
-    reduced,
-    without_denominators,
-)
+from arrangement.numbers.exact import IntegerVector, dot, largest, reduced, without_denominators
 
 _Item = TypeVar("_Item")
 #: Elimination in matrices with fewer entries is not forecast.

@@ -12,14 +12,7 @@ import numpy as np
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
-from arrangement.drawing.pages import (
-    BASE_SCRIPT,
-    BASE_STYLE,
-    Template,
-    floats,
-    one_page,
-    own,
-)
+from arrangement.drawing.pages import BASE_SCRIPT, BASE_STYLE, Template, floats, one_page, own
 from arrangement.drawing.solids.sight import picture_axes, unit, unit_vectors
 from arrangement.drawing.views import Vector
 from arrangement.errors import refusal
