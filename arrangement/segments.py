@@ -10,9 +10,10 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.plugins import attached
 from arrangement.enumeration.subdivision import Pieces, segment_sheet
 from arrangement.errors import HintsMixin, InputError
+from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import RationalVector, rational_vector, shown
 from arrangement.numbers.real import field_of, written
-from arrangement.numbers.symbolic import as_list, entry, in_one_field
+from arrangement.numbers.symbolic import entry, in_one_field
 from arrangement.planes.planes import Names, checked_names
 from arrangement.planes.polygon import line_through
 
@@ -43,7 +44,7 @@ class Segments(HintsMixin):
     _synonyms: ClassVar[Mapping[str, str]] = synonyms.SEGMENTS
 
     def __init__(self, ends: Iterable[_Points], names: Names = ()) -> None:
-        given = [as_list(pair, "ends") for pair in as_list(ends, "segments")]
+        given = [entries(pair, "ends", "ends") for pair in entries(ends, "segments", "segments")]
         for i, pair in enumerate(given):
             if len(pair) != 2:
                 raise InputError(f"segments[{i}] is {shown(pair)}; give two points, its ends")

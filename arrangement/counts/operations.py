@@ -22,7 +22,7 @@ from arrangement.numbers.exact import (
     unoriented,
 )
 from arrangement.numbers.linear.rank import ask_elimination, evenly_spaced, gauss_jordan, rank
-from arrangement.numbers.symbolic import entries, entry, exact_matrix
+from arrangement.numbers.symbolic import entry, exact_matrix, matrix_entries
 from arrangement.planes.planes import Hyperplane, Planes
 
 from .configuration import Indices, indices, pivot_columns
@@ -178,8 +178,8 @@ def flat_chart(arrangement: Planes, planes: Indices) -> Chart:
     echelon, scale, pivots = arrangement.matrix.extract(chosen, range(dimension + 1)).rref_den()
     if dimension in pivots:
         raise InputError(f"planes {sorted(chosen)} have no common point")
-    rows = dict(zip(pivots, entries(echelon.to_list(), arrangement.field), strict=False))
-    scale = entries([[scale]], arrangement.field)[0][0]
+    rows = dict(zip(pivots, matrix_entries(echelon.to_list(), arrangement.field), strict=False))
+    scale = matrix_entries([[scale]], arrangement.field)[0][0]
     origin = tuple(
         quotient(rows[j][dimension], scale) if j in rows else Fraction(0) for j in range(dimension)
     )
@@ -199,7 +199,7 @@ def _on_flat(arrangement: Planes, chart: Chart) -> list[list[int]]:
     columns.append([*((-scale * x).numerator for x in chart.origin), scale])
     inserted = exact_matrix(columns, arrangement.dimension + 1).transpose()
     planes, inserted = arrangement.matrix.unify(inserted)
-    return entries((planes * inserted).to_list(), arrangement.field)
+    return matrix_entries((planes * inserted).to_list(), arrangement.field)
 
 
 def irreducible_factors(arrangement: Planes) -> list[Planes]:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.errors import InputError
 from arrangement.numbers import budget
+from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -46,7 +47,7 @@ def exact_matrix(rows: Sequence[Sequence[int]], width: int) -> DomainMatrix:
     return DomainMatrix([[entry(x) for x in row] for row in rows], (len(rows), width), domain)
 
 
-def entries(rows: Sequence[Sequence[Any]], field: Any) -> list[list[Any]]:
+def matrix_entries(rows: Sequence[Sequence[Any]], field: Any) -> list[list[Any]]:
     """Return rows of numbers of SymPy's domain, from an `exact_matrix` or computed from it."""
     if field is None:
         return [[int(x) for x in row] for row in rows]
@@ -96,7 +97,7 @@ def planes_of(
 
         variables = sorted(set().union(*(e.free_symbols for e in given)), key=default_sort_key)
     else:
-        variables = as_list(symbols, "symbols")
+        variables = list(entries(symbols, "symbols", "symbols"))
         _check_symbols(variables)
     budget.check_size(len(variables), "coordinates")
     rows = [_coefficients(e, variables, f"equations[{i}]") for i, e in enumerate(given)]
@@ -114,7 +115,7 @@ def equations_of(
         names = "xyz" if dimension <= 3 else [f"x{k + 1:0{digits}}" for k in range(dimension)]
         variables = [sympy.Symbol(name) for name in names[:dimension]]
     else:
-        variables = as_list(symbols, "symbols")
+        variables = list(entries(symbols, "symbols", "symbols"))
         _check_symbols(variables)
     if len(variables) != dimension:
         raise InputError(
@@ -128,13 +129,6 @@ def equations_of(
         )
         for *normal, offset in planes
     )
-
-
-def as_list(values: Any, name: str) -> list[Any]:
-    """Return values as a list; refuse a text, and what is not a sequence."""
-    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
-        raise InputError(f"{name} is {shown(values)}; give a sequence of {name}")
-    return list(values)
 
 
 def _check_symbols(symbols: Sequence[Any]) -> None:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeAlias, overload
 
 from arrangement.errors import InputError, missing_item
 from arrangement.numbers import budget
+from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -32,7 +33,6 @@ from arrangement.numbers.exact import (
 from arrangement.numbers.linear.rank import rank
 from arrangement.numbers.real import field_of, written
 from arrangement.numbers.symbolic import (
-    as_list,
     entry,
     equations_of,
     exact_matrix,
@@ -170,9 +170,10 @@ class Planes:
         >>> Planes.from_equations(["x = y", "2*x + 3*z - 1"]).integer_planes
         ((1, -1, 0, 0), (2, 0, 3, 1))
         """
-        given = as_list(equations, "equations")
+        given = entries(equations, "equations", "equations")
         if given and all(isinstance(equation, str) for equation in given):
-            axes = None if symbols is None else [str(x) for x in as_list(symbols, "symbols")]
+            listed = () if symbols is None else entries(symbols, "symbols", "symbols")
+            axes = None if symbols is None else list(map(str, listed))
             rows, constants, axes, names = planes_of_text(given, axes)
             return cls(rows, constants, dimension=len(axes), names=names)
         normals, offsets, dimension = planes_of(given, symbols)
@@ -409,9 +410,8 @@ class Planes:
 
 def checked_names(names: Names, count: int, what: str = "plane") -> tuple[str, ...]:
     """Return a name for each of some planes, "" for none; nothing if no plane has one."""
-    texts = (
-        dict(names) if isinstance(names, Mapping) else dict(enumerate(as_list(names, "names"), 1))
-    )
+    listed = () if isinstance(names, Mapping) else entries(names, "names", "names")
+    texts = dict(names) if isinstance(names, Mapping) else dict(enumerate(listed, 1))
     if not isinstance(names, Mapping) and len(texts) not in (0, count):
         raise InputError(f"there are {len(texts)} names and {count} {what}s; give one for each")
     for number, text in texts.items():

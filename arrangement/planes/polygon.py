@@ -7,8 +7,9 @@ from itertools import pairwise
 from typing import Any, TypeAlias
 
 from arrangement.errors import InputError
+from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import dot, rational_vector, shown, sign
-from arrangement.numbers.symbolic import as_list, entry, in_one_field
+from arrangement.numbers.symbolic import entry, in_one_field
 
 from .faces import Face
 from .planes import Planes
@@ -29,7 +30,7 @@ def exact_points(points: str | Iterable[Iterable[Any]]) -> list[tuple[Any, ...]]
     given: Any = points
     if isinstance(points, str):
         given = [[x.strip() for x in point.split(",")] for point in points.split(";")]
-    rows = as_list(given, "points")
+    rows = entries(given, "points", "points")
     made = in_one_field([rational_vector(row, f"points[{i}]", entry) for i, row in enumerate(rows)])
     if not made or len({len(point) for point in made}) > 1 or not made[0]:
         raise InputError(

@@ -20,8 +20,8 @@ from arrangement.console.number_form import ReprMixin
 from arrangement.console.progress import watched
 from arrangement.console.workers import done, due
 from arrangement.errors import hints_on_arguments
-from arrangement.library.arguments import entries
 from arrangement.numbers import budget
+from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import Rational, RationalVector
 from equilibrium.core.contacts import are_moderate, nearest
 from equilibrium.model.assembly import Assembly

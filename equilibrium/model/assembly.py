@@ -21,8 +21,8 @@ from arrangement.console.number_form import counted
 from arrangement.console.plugins import attached
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import HintsMixin
-from arrangement.library.arguments import entries
 from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, to_text
 
 from .contact import VALUES, Contact, contact_of

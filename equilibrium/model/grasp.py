@@ -17,9 +17,9 @@ from arrangement.console.number_form import counted
 from arrangement.console.plugins import attached
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import HintsMixin, hints_on_assignment, missing_item
-from arrangement.library.arguments import entries, whole
 from arrangement.library.files.json_files import check_all, check_keys, check_list
 from arrangement.numbers import budget
+from arrangement.numbers.arguments import entries, whole
 from arrangement.numbers.exact import RationalVector, dot, rational, rational_vector, shown
 from arrangement.numbers.linear.rank import cross
 

@@ -60,12 +60,7 @@ SHARED: list[tuple[str, str, str]] = [
     ),
     (
         "algorithm-2-sound algorithm-2-complete all-stick-listed",
-        "arrangement/library/arguments.py: entries is_listed",
-        "Reads the contacts of the question.",
-    ),
-    (
-        "algorithm-2-sound algorithm-2-complete all-stick-listed",
-        "arrangement/library/files/json_files.py: check_keys check_list",
+        "arrangement/library/files/json_files.py: check_all check_keys check_list",
         "Reads the contacts of the question.",
     ),
     (

@@ -22,7 +22,7 @@ from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import largest, shown, work_factor
 from arrangement.numbers.real import field_of
-from arrangement.numbers.symbolic import entries, exact_matrix
+from arrangement.numbers.symbolic import exact_matrix, matrix_entries
 
 if TYPE_CHECKING:
     from sympy.polys.matrices import DomainMatrix
@@ -202,7 +202,7 @@ def _numbered_products(matrix: DomainMatrix, field: NumberField | None) -> _Inte
     """Return G with its entries numbered: 0 stays 0, opposite entries have opposite numbers."""
     inverse, _ = (matrix.transpose() * matrix).inv_den()
     rows, middle = (
-        np.array(entries(part.to_list(), field), dtype=object) for part in (matrix, inverse)
+        np.array(matrix_entries(part.to_list(), field), dtype=object) for part in (matrix, inverse)
     )
     products = rows @ middle @ rows.T
     if largest([products.flat]) < 2**62:

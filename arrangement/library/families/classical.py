@@ -14,8 +14,8 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.library.arguments import at_least, check_reach, flag
 from arrangement.library.families.simplicial import mirrors
+from arrangement.numbers.arguments import at_least, check_reach, flag
 from arrangement.numbers.exact import IntegerVector, shown
 from arrangement.numbers.linear.rank import unit_vectors
 

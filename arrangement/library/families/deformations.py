@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
-from arrangement.library.arguments import at_least, check_reach, is_listed
+from arrangement.numbers.arguments import at_least, check_reach, is_listed
 
 from .classical import differences, positive_roots, sums
 from .graphs import edge_differences

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
 from arrangement.errors import InputError
-from arrangement.library.arguments import entries, is_listed
+from arrangement.numbers.arguments import entries, is_listed
 from arrangement.numbers.exact import shown
 
 if TYPE_CHECKING:

@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 from arrangement.arrangement import Arrangement
 from arrangement.console.options.signature import Syntax
 from arrangement.errors import InputError
-from arrangement.library.arguments import at_least, check_reach, flag
 from arrangement.library.families.classical import sums
 from arrangement.library.families.randoms import random_integer
 from arrangement.library.families.simplicial import regular_corners
 from arrangement.numbers import budget
+from arrangement.numbers.arguments import at_least, check_reach, flag
 from arrangement.numbers.exact import IntegerVector, dot, primitive, shown, unoriented
 from arrangement.numbers.linear.rank import determinant
 from arrangement.planes.polygon import convex_polygon, exact_points, line_through

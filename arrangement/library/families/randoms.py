@@ -6,7 +6,7 @@ from math import isqrt
 from random import Random
 
 from arrangement.arrangement import Arrangement
-from arrangement.library.arguments import at_least, check_reach, flag, whole
+from arrangement.numbers.arguments import at_least, check_reach, flag, whole
 from arrangement.numbers.exact import IntegerVector
 
 

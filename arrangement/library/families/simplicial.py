@@ -32,7 +32,7 @@ from typing import Any
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.library.arguments import at_least, flag
+from arrangement.numbers.arguments import at_least, flag
 from arrangement.numbers.exact import quotient, shown
 from arrangement.numbers.symbolic import real_vector
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 from itertools import chain, islice
 from typing import Any, NamedTuple
 
-from arrangement.library.arguments import is_listed
+from arrangement.numbers.arguments import is_listed
 from arrangement.numbers.exact import (
     RationalVector,
     dot,

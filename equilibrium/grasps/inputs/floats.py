@@ -16,13 +16,13 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from arrangement.library.arguments import entries
 from arrangement.library.files.json_files import (
     Source,
     check_keys,
     check_list,
     read_text,
 )
+from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import (
     RationalVector,
     from_float,

@@ -7,8 +7,8 @@ from fractions import Fraction
 from numbers import Integral
 from typing import Any, NamedTuple, TypeAlias
 
-from arrangement.library.arguments import at_least, entries
 from arrangement.library.files.json_files import Source, check_keys, check_list, read_document
+from arrangement.numbers.arguments import at_least, entries
 from arrangement.numbers.exact import (
     RationalVector,
     dot,

@@ -7,7 +7,7 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from arrangement.library.arguments import at_least, whole
+from arrangement.numbers.arguments import at_least, whole
 from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.rank import cycle_edges
 from equilibrium.model.contact import WRENCH_SIZES, Contact
