@@ -640,14 +640,16 @@ def grasp_model(
     points, faces, _ = solid.body
     closed = bool(faces) and not any(open_edges(faces))
     parts = [_part("body", [(points, faces)], _BODY, half)] if closed else []
-    solids: dict[str, list[Floats]] = {
-        f"cone-{i}": [np.vstack([apex, rim])] for i, apex, rim in solid.cones if len(rim) > 1
+    solids: dict[str, list[Any]] = {
+        f"cone-{i}": [_prism(np.broadcast_to(apex, rim.shape), rim)]
+        for i, apex, rim in solid.cones
+        if len(rim) > 1
     }
     for arrow in solid.arrows():
         solids.setdefault(arrow.name, []).extend(_solids(arrow))
-    for name, hulls in solids.items():
+    for name, pieces in solids.items():
         colour = INKS.get(name.partition("-")[0], CONE_FILL)
-        parts.append(_part(name, map(convex_hull, hulls), colour, half))
+        parts.append(_part(name, pieces, colour, half))
     if not parts:
         raise InputError("the grasp has no contacts and no body, so there is no model of it")
     return model_bytes(parts, suffix, f"a grasp in space, {grasp.size_words}")
@@ -667,11 +669,24 @@ def _part(
     return ClosedSurface(name, half * np.concatenate(points), tuple(faces), (colour,) * len(faces))
 
 
-def _solids(arrow: Arrow) -> list[Floats]:
-    """Return the corners of the shaft of an arrow, a prism, and of its head, a pyramid."""
+def _prism(base: Floats, top: Floats) -> tuple[Floats, list[tuple[int, ...]]]:
+    """Return the solid between two rings, of which one may be the apex of a pyramid, repeated.
+
+    Seen from the top both go counter-clockwise.
+    """
+    k = len(base)
+    sides = [(j, (j + 1) % k, k + (j + 1) % k, k + j) for j in range(k)]
+    faces = [tuple(range(k - 1, -1, -1)), tuple(range(k, 2 * k)), *sides]
+    return np.vstack([base, top]), faces
+
+
+def _solids(arrow: Arrow) -> Iterator[tuple[Floats, list[tuple[int, ...]]]]:
+    """Yield the shaft of an arrow, unless the head is longer, and its head."""
     tip, ring = head_of(arrow)
     neck = ring.mean(axis=0)
     thin = (ring - neck) * (_SHAFT / float(np.linalg.norm(ring[0] - neck)))
     end = arrow.end if arrow.headless else neck
-    shaft = np.vstack([arrow.start + thin, end + thin])
-    return [shaft] if arrow.headless else [shaft, np.vstack([tip, ring])]
+    if float((end - arrow.start) @ (arrow.end - arrow.start)) > 0:
+        yield _prism(arrow.start + thin, end + thin)
+    if not arrow.headless:
+        yield _prism(ring, np.broadcast_to(tip, ring.shape))
