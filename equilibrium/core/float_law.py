@@ -37,12 +37,6 @@ def products(rows: Floats, motion: Floats) -> Floats:
     return (rows.reshape(flat) @ motion[..., None]).reshape(rows.shape[:-1])
 
 
-def combined(factors: Floats, rows: Floats) -> Floats:
-    """Return the sums (..., n) of rows (..., t, n) times factors (..., t)."""
-    total: Floats = np.einsum("...t,...tn->...n", factors, rows)
-    return total
-
-
 def norms(slips: Floats) -> Floats:
     """Return the lengths of vectors along the tangents, which have moderate numbers."""
     lengths: Floats = np.sqrt((slips * slips).sum(axis=-1))
@@ -103,7 +97,8 @@ class FloatLaw:
             at: an index, of the contacts that the shares are of; all by default.
         """
         limits = self.friction[at][..., None] * shares
-        wrenches: Floats = self.normal[at] + combined(limits, self.tangents[at])
+        pulls = np.einsum("...t,...tn->...n", limits, self.tangents[at])
+        wrenches: Floats = self.normal[at] + pulls
         return wrenches
 
     def least_works(self, virtual: Floats, most: Floats) -> Floats:
