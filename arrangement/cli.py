@@ -78,7 +78,8 @@ _SYNONYMS = {
     **dict.fromkeys(("--diagonals", "--chords"), "arrangement make diagonals --n 6 -o FILE.json"),
     "--normals": "arrangement count '[[1, 0], [0, 1]]'",
     "--family": "arrangement list --families",
-    "--proved": "--verified",
+    **dict.fromkeys(("--coq", "--formal", "--proved"), "--verified"),
+    "--list": "arrangement list --families",
     "--types": "--classes",
 }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import FrozenInstanceError
@@ -111,6 +112,38 @@ def missing_item(noun: str, index: object, count: int) -> Exception:
 _ALIKE = 0.81
 
 
+#: What comes before a noun, or behind it, where its number is meant; and what says nothing.
+_COUNTING = re.compile(r"(?:n|nb|num|number_of|count)_(.+)|(.+)_(?:count|number)")
+_FILLING = re.compile(r"(?:all|calculate|compute|find|get|list)_(.+)")
+
+
+def _lower(synonyms: Mapping[str, str]) -> dict[str, str]:
+    return {word.lower(): use for word, use in synonyms.items()}
+
+
+def _meant(name: str, uses: Mapping[str, str]) -> str | None:
+    """Return what to write for a name: that of a known word, of which it may be a variant.
+
+    ``num_regions`` means ``n_regions`` or ``region_count``, ``get_rank`` ``rank``, and
+    ``char_poly`` ``characteristic_polynomial``.
+
+    Args:
+        uses: known words in small letters, each with what to write.
+    """
+    words = [name]
+    if counted := _COUNTING.fullmatch(name):
+        noun = counted[1] or counted[2]
+        words += [f"n_{noun}", f"number_of_{noun}", f"{noun.removesuffix('s')}_count"]
+    if filled := _FILLING.fullmatch(name):
+        words += [filled[1], f"{filled[1]}s"]
+    parts = name.split("_")
+    for word in uses if len(parts) > 1 else ():
+        whole = word.split("_")
+        if len(whole) == len(parts) and all(map(str.startswith, whole, parts)):
+            words.append(word)
+    return next((uses[word] for word in words if word in uses), None)
+
+
 def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> AttributeError:
     """Return the error for an attribute that an object or a module does not have.
 
@@ -126,8 +159,8 @@ def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> 
         what = f"{kind} {owner.__name__!r}"
     hint = ""
     if not name.startswith("_"):  # `copy` and `pickle` look for many of these
-        use = {word.lower(): use for word, use in synonyms.items()}.get(name.lower())
         names = [known for known in dir(owner) if known[0] != "_"]
+        use = _meant(name.lower(), {known.lower(): known for known in names} | _lower(synonyms))
         if name == "to_json" and "to_dict" in names:
             value = (owner if isinstance(owner, type) else type(owner)).__name__.lower()
             use = use or f"json.dumps({value}.to_dict())"

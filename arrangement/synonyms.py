@@ -200,6 +200,7 @@ SEQUENCES: Mapping[str, str] = {
 #: Of a face or region r, of an arrangement A.
 FACES: Mapping[str, str] = {
     "adjacent": "A.region_graph()[r]",
+    "as_polyhedron": "r.closure",
     "area": "r.volume",
     "bounded": "r.is_bounded",
     "covector": "r.signs",

@@ -207,6 +207,26 @@ def test_one_name_means_one_thing():
         assert known[word.lower()] == name, word
 
 
+@pytest.mark.parametrize(
+    ("name", "use"),
+    [
+        ("num_regions", "A.region_count()"),
+        ("number_of_bounded_regions", "A.bounded_region_count()"),
+        ("nb_hyperplanes", "len(A)"),
+        ("get_rank", "rank"),
+        ("compute_regions", "regions"),
+        ("char_poly", "characteristic_polynomial"),
+        ("CHAMBERS", "chambers"),
+        ("F_VECTOR", "f_vector"),
+    ],
+)
+def test_variants_of_names_are_answered(name, use):
+    with pytest.raises(AttributeError) as error:
+        getattr(LINES, name)
+    assert str(error.value).endswith(f"'{name}'; use {use}")
+    assert use.startswith(("A.", "len")) or hasattr(LINES, use)
+
+
 @pytest.mark.parametrize("name", ["zon", "unbounded_face_list", "cut", "decone"])
 def test_names_that_are_only_alike_get_no_hint(name):
     with pytest.raises(AttributeError, match=f"'{name}'$"):

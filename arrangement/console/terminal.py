@@ -59,6 +59,7 @@ def command_parser(
     parser.synonyms = {
         "help": f"{prog} COMMAND --help",
         "--out": "-o PATH",
+        **dict.fromkeys(("--verbose", "--debug", "-v"), "--json, which prints all that is known"),
         **(synonyms or {}),
     }
     parser.for_files, parser.names["file"] = for_files, names

@@ -41,6 +41,8 @@ _SYNONYMS = {
     ),
     **dict.fromkeys(("--grayscale", "--greyscale", "--mono", "--bw"), "--theme mono"),
     "--dark": "--theme dark",
+    **dict.fromkeys(("--animate", "--animation", "--movie"), "-o FILE.gif, or .mp4"),
+    **dict.fromkeys(("--scale", "--size"), "--width LENGTH, as 8cm"),
 }
 
 
@@ -102,7 +104,7 @@ def add_options(
     if "--xlim" in names:  # few views have it
         use = f"--view {uses['window'][0].name} --window X,Y X,Y"
         names |= {"--xlim": use, "--ylim": use}
-    parser.synonyms = {**parser.synonyms, **_SYNONYMS, **names}
+    parser.synonyms = {**_SYNONYMS, **names, **parser.synonyms}
     parser.strays["mm|cm|in|pt"] = "a length in one word, such as 10cm"
     parser.strays[r"[^-].*"] = (
         f"{parser.prog} once for each {subject}; in Python compose([...]) of arrangement.pictures "

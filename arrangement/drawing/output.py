@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 PICTURES = (".pdf", ".png", ".svg")
-TIKZ = (".tex",)
+TIKZ = (".tex", ".tikz")
 MOVIES = (".gif", ".mp4")
 MODELS = (".glb", ".obj", ".stl")
 PAGES = (".html",)

@@ -80,6 +80,7 @@ OPTION_SYNONYMS = {
     "piece": "equilibrium",
     "plane": "section",
     "turn": "rotation",
+    "rotate": "azimuth",
     **dict.fromkeys(("figsize", "height", "figure_width"), "width"),
     **dict.fromkeys(
         ("cmap", "color", "fill", "palette", "region_colors", "region_colours", "shade", "shading"),

@@ -22,6 +22,7 @@ from arrangement.planes.planes import Planes
 Labels: TypeAlias = Annotated[str | Mapping[Any, str] | Iterable[Any], Syntax(metavar="NAME")]
 
 LABELS = ("signs", "numbers", "none")
+_PLANES = "texts at lines and planes are names, such as 1=a,2=b"
 #: Planes up to which sign vectors are written of themselves.
 SHORT = 4
 #: Regions up to which they are numbered of themselves, and up to which a table explains numbers.
@@ -89,7 +90,7 @@ class RegionLabels:
             parts = [part.partition("=") for part in labels.split(",")]
             pairs = [(key.strip(), text or None) for key, _, text in parts]
             if not all(set(key) <= {*"+-0123456789"} for key, _ in pairs):
-                remedy = "write a text for each region, such as +-+=A,3=B, or one of"
+                remedy = f"write a text for each region, such as +-+=A,3=B, {_PLANES}, or one of"
                 raise refusal(f"the labels are {shown(labels)}", labels, LABELS, remedy)
         else:
             pairs = ((key, None) for key in labels)
@@ -108,7 +109,7 @@ class RegionLabels:
             signs = next((s for s, number in self._numbers.items() if number == int(key)), ())
         vector: tuple[int, ...] = tuple(signs)
         if vector not in self._numbers:
-            raise InputError(f"there is no region {shown(key)}; give signs or a number")
+            raise InputError(f"there is no region {shown(key)}; give signs or a number; {_PLANES}")
         return vector
 
     @cached_property

@@ -448,7 +448,7 @@ def _rows_as_list(normals: Any) -> list[Any]:
             f"normals is {shown(normals)}; give vectors, one for each plane{_EQUATIONS}"
         )
     rows = list(normals)
-    if rows and isinstance(rows[0], str):
+    if rows and (isinstance(rows[0], str) or hasattr(rows[0], "free_symbols")):
         raise InputError(f"normal 1 is {shown(rows[0])}; give vectors of exact numbers{_EQUATIONS}")
     return rows
 

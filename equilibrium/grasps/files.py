@@ -106,9 +106,7 @@ def read_contacts(
             '"grasp" is a grasp document'
         )
     document = parse_json(text, name, floats=floats, of_floats=_OF_FLOATS)
-    if isinstance(document, list) and all(
-        isinstance(entry, dict) and {"normal", "angle"} & entry.keys() for entry in document
-    ):
+    if isinstance(document, list) and all(isinstance(entry, dict) for entry in document):
         document = {"contacts": document}
     if isinstance(document, dict) and "contacts" in document:
         document.setdefault("schema_version", 1)  # there is no other
@@ -117,6 +115,11 @@ def read_contacts(
         raise GraspError(
             f"{name} gives normals of bodies; expected a grasp with contacts. Of bodies there are "
             "contact modes: equilibrium info FILE --modes"
+        )
+    if keys == {"normals", "points"} and not kinds:
+        raise GraspError(
+            f"{name} has lists of points and normals; equilibrium make floats FILE -o GRASP.json "
+            "converts them"
         )
     return check_document(document, expected, name)
 

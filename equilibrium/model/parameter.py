@@ -77,7 +77,9 @@ class ParametricQuestion:
 
     def __post_init__(self) -> None:
         if not isinstance(self.letter, str) or not _LETTER.fullmatch(self.letter):
-            raise GraspError(f"the parameter is {shown(self.letter)}; expected one letter, as t")
+            raise GraspError(
+                f"the parameter is {shown(self.letter)}; expected one letter, as t=0..1"
+            )
         for i, entry in enumerate(check_list(self.document.get("contacts"), "contacts")):
             place = f"contacts[{i}]"
             direction = "angle" if "angle" in check_keys(entry, (), entry, place) else "normal"

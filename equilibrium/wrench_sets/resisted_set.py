@@ -92,6 +92,7 @@ class ResistedSet(HintsMixin, JsonMixin):
         "region": "slice(u, v)",
         "resists": "contains(wrench)",
         "resisted_magnitudes": "along(direction)",
+        **dict.fromkeys(("largest", "max", "max_load", "maximum"), "along(direction)"),
         "resisted_region": "slice(u, v)",
         "search_map": "search()",
         "show": "draw()",

@@ -44,7 +44,9 @@ _SYNONYMS = {
     "--planes": "--elements",
     "--lines": "--classes",
     **dict.fromkeys(("--dim", "--d", "--dimension", "-d"), '--of "affine(d=3)"'),
-    "--proved": "--verified",
+    "--central": "--of central",
+    "--n": "--samples N",
+    **dict.fromkeys(("--coq", "--formal", "--proved"), "--verified"),
 }
 
 #: Files of `proofs_check.examples` for ``new``, kept here so that ``--help`` reads none.

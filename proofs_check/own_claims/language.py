@@ -69,6 +69,8 @@ _SYNONYMS: Mapping[str, str] = {
     "generic": "simple",
     "whitney": "polynomial",
     "product": "*",
+    "even": "regions % 2 == 0",
+    "odd": "regions % 2 == 1",
 }
 _TOKEN = re.compile(r"\w+|\s+|[<>=!]=|.", re.DOTALL)
 #: Signs of mathematics, as Python has them.
@@ -304,7 +306,7 @@ class _PartTypes:
             case ast.Call(func=ast.Name(id=name), args=[_, *_] as given):
                 if name in (*QUANTITIES, *self.names):
                     kind = self.of(node.func)
-                    use = f"{name}*(...)" if kind == _NUMBER else f"{name}[index]"
+                    use = f"{name}*(...) or {name} alone" if kind == _NUMBER else f"{name}[index]"
                     raise OwnClaimError(f"{self.text(node)} calls {name}, {kind}; write {use}")
                 if name not in _ARGUMENTS:
                     raise self._unknown_name(name, "a function")

@@ -49,7 +49,8 @@ def test_other_words_are_answered_with_the_name(capsys):
     )
     parser.strays[".*=.*"] = "demo try {}"
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    terminal.add_command(commands, "go", "go there", heading="common")
+    go = terminal.add_command(commands, "go", "go there", heading="common")
+    go.add_argument("--wrench")
     make = terminal.add_command(commands, "make", "make something")
     make.lazy_options = lambda: make.add_subparsers().add_parser("arch")
     draw = terminal.add_command(commands, "draw", "draw it")
@@ -67,6 +68,10 @@ def test_other_words_are_answered_with_the_name(capsys):
         (["arch"], "error: 'arch' is not a command; write demo make arch ("),
         (["go", "--speed", "3"], "error: there is no '--speed'; write '--wrench' ("),
         (["go", "--speed=3"], "error: there is no '--speed'; write '--wrench' ("),
+        (["go", "--max_speed"], "error: there is no '--speed'; write '--wrench' ("),
+        (["long-walk"], "error: there is no 'walk'; write 'demo go --fast' ("),
+        (["make", "--speed"], "error: unknown option '--speed' ("),
+        (["arch:3"], "error: 'arch:3' is not a command; write demo make arch ("),
         (["sphere"], "error: 'sphere' is not a command; write demo draw FILE --view sphere ("),
         (["go", "--at", "3"], "error: demo go has no --at; write demo draw FILE --at X Y ("),
         (["draw", "walk", "--view", "x"], "error: there is no 'walk'; write 'demo go --fast' ("),

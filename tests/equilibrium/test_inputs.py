@@ -421,7 +421,9 @@ def test_bare_list_of_contacts_is_a_grasp(tmp_path):
         (SCENE.mjcf(), "is an MJCF model of MuJoCo"),
         ("<html>", "is XML with the root <html>"),
         (document_text(SCENE.document()), "is a scene of `equilibrium draw --model scene`"),
-        ('[{"point": ["1", "0"]}]', "holds a list; a document is a JSON object"),
+        ('[{"point": ["1", "0"]}]', 'contacts\\[0\\] has no keys "normal", "friction"'),
+        ("[[1, 0]]", "holds a list; a document is a JSON object"),
+        ('{"points": [[1, 0]], "normals": [[1, 0]]}', "equilibrium make floats FILE -o GRASP.json"),
         ('[{"normal": [0.5, 1]}]', 'contacts\\[0\\] has no keys "point", "friction"'),
     ],
 )

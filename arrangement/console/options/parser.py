@@ -33,7 +33,7 @@ _BAD_INPUT = 2
 #: Options of all commands, which no misspelt one is answered with.
 _EVERYWHERE = {"help", "json", "limit", "traceback", "exact", "digits"}
 #: Options that are listed where one is unknown.
-_FEW = 8
+_FEW = 24
 #: How alike a misspelt name is to the one that is meant, as "jbos" and "jobs"; "slides" and "list"
 #: are less so.
 _ALIKE = 0.75
@@ -175,9 +175,12 @@ class Parser(argparse.ArgumentParser):
         if not use and "make" in commands:
             commands["make"].add_lazy_options()
             kinds = [action.choices or () for action in commands["make"]._actions]
-            use = f"{self.prog} make {word}" if any(word in kind for kind in kinds) else ""
+            name = re.split("[:(]", word)[0]
+            use = f"{self.prog} make {name}" if any(name in kind for kind in kinds) else ""
         if use := use or self._with_option(word):
             raise argparse.ArgumentError(None, f"{shown(word)} is not a command; write {use}")
+        if use := self._synonym_of_part(word):
+            raise argparse.ArgumentError(None, use)
 
     def _with_option(self, word: str) -> str:
         """Return the command that has an option of this name, or one that may have this value."""
@@ -208,8 +211,17 @@ class Parser(argparse.ArgumentParser):
         return next(uses, "").replace("{}", shlex.quote(word))
 
     def _synonym(self, word: str) -> str:
-        use = self.synonyms.get(word.lower().replace("_", "-"))
-        return f"there is no {word!r}; write {use!r}" if use else ""
+        """Return the answer to another word for a command or an option."""
+        use = self.synonyms.get(word.lower().replace("_", "-"), "")
+        option = re.match(r"--[\w-]+", use)
+        is_there = option is None or option[0] in self._option_string_actions
+        return f"there is no {word!r}; write {use!r}" if use and is_there else ""
+
+    def _synonym_of_part(self, word: str) -> str:
+        """Return the answer to a part of a word, as ``--color-by`` has one."""
+        parts = re.split("[-_]+", word.strip("-"))
+        answers = (self._synonym(f"--{part}") or self._synonym(part) for part in parts)
+        return next(filter(None, answers), "")
 
     def _unknown(self, word: str) -> str:
         name = word.partition("=")[0]
@@ -235,7 +247,11 @@ class Parser(argparse.ArgumentParser):
         near = _suggestion(
             name.lstrip("-"), [x.lstrip("-") for x in self._option_string_actions], "--"
         )
-        return f"unknown option {shown(word)}{near or few}"
+        return (
+            (near and f"unknown option {shown(word)}{near}")
+            or self._synonym_of_part(name)
+            or (f"unknown option {shown(word)}{few}")
+        )
 
     def format_help(self) -> str:
         """Return the help; a program with headings lists its commands under them."""

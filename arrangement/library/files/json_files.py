@@ -170,14 +170,20 @@ def read_text(source: str | os.PathLike[str], kind: str = "bytes of a file") -> 
         InputError: it cannot be read, is longer than `budget.MAX_SIZES` says, or is not UTF-8.
     """
     name = "standard input" if source == "-" else shown(_path_text(source))
-    if re.search(r"\.(xlsx?|ods|numbers)$", _path_text(source), re.IGNORECASE):
-        raise InputError(f"{name} is a spreadsheet; save it as CSV, and give the file .csv")
+    for kind_of_file, use in _UNREAD.items():
+        if re.search(rf"\.({kind_of_file})$", _path_text(source), re.IGNORECASE):
+            raise InputError(f"{name} is {use}")
     try:
         return read_bytes(source, name, kind).decode("utf-8-sig"), name
     except UnicodeDecodeError as error:
         raise InputError(f"{name} is not UTF-8 text (byte {error.start} is wrong)") from None
 
 
+#: Endings of files that are not read, with what they are and what to do.
+_UNREAD = {
+    "xlsx?|ods|numbers": "a spreadsheet; save it as CSV, and give the file .csv",
+    "ya?ml|toml": "not JSON; write the same keys and lists as JSON, or a table as CSV",
+}
 #: Parts of names of what is made, in small letters, with an example of a command.
 MADE = {
     "arch": "equilibrium make arch",
@@ -209,10 +215,14 @@ def read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
         short = str(source).lower()
         if not near and len(short) > 1:  # "A3" means braid-a3
             near = [name for name in instances() if short in name.split("-")][:3]
-        meant = "" if os.sep in str(source) else "; `list` prints the built-in names"
+        meant = ""
+        if _NAME.fullmatch(short):
+            meant = "; `list` prints the built-in names, and `arrangement list --families` families"
         if near:
             meant = f"; did you mean the built-in {' or '.join(near)}?"
         made = [command for word, command in MADE.items() if word in short]
+        if not made and re.fullmatch(r"[\w-]+[:(].*", short):
+            made = ["arrangement make FAMILY, of those that `arrangement list --families` prints,"]
         if made and not re.search(r"[/.]", short):
             meant += f"{' Or' if near else ';'} write {made[0]} -o FILE.json and give FILE.json"
         raise InputError(f"cannot read {name}: {reason(error)}{meant}") from None

@@ -407,7 +407,8 @@ def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:
         )
     if unknown:
         mistake = f"the column {shown(unknown[0])} is unknown"
-        raise GraspError(str(refusal(mistake, unknown[0], allowed)))
+        remedy = "leave it out, or name it one of"
+        raise GraspError(str(refusal(mistake, unknown[0], allowed, remedy)))
     for name in header:
         if header.count(name) > 1:
             raise GraspError(f"the column {name} appears twice; keep one")
