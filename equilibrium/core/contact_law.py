@@ -241,16 +241,16 @@ class LinearQuestion:
             if not any(force in x.row for force in law.unknowns)
         ]
 
-    def unit_wrenches(self, i: int, state: str) -> list[RationalVector]:
+    def unit_wrenches(self, i: int, state: str) -> list[tuple[Any, ...]]:
         """Return the extreme wrenches of a normal force of 1 in a state; along one tangent.
 
         Those of contacts that may slip either way have friction at both of its limits.
         """
-        both = [ContactState.of(state, 1, share=(x,)) for x in (1, -1)]
-        ends: list[State] = [state] if self.sign(i, state) else [*both]
+        ends: list[State] = [state]
+        if not self.sign(i, state):
+            ends = [ContactState.of(state, 1, share=(x,)) for x in (-1, 1)]
         arms = (arm for end in ends for _, arm in self.conditions(i, end).arms)
-        wrenches = (tuple(fraction(arm.get(j, 0)) for j in range(self.rows.n)) for arm in arms)
-        return list(dict.fromkeys(wrenches))
+        return [tuple(arm.get(j, 0) for j in range(self.rows.n)) for arm in arms]
 
     def _law(self, i: int, state: State) -> ContactConditions:
         frame = self._frames[i]

@@ -23,7 +23,6 @@ from arrangement.library.files.json_files import Source
 from arrangement.numbers.exact import rational, shown, simplest_between, to_text
 from arrangement.numbers.functions import Domain, Function, Span
 from arrangement.numbers.linear.programs import Optimal, minimize
-from equilibrium.certificate.law import applied
 from equilibrium.certificate.leaf_rule import TreeQuestion
 from equilibrium.certificate.parameter import (
     ParameterReport,
@@ -409,16 +408,12 @@ def _carried(
     Args:
         slips_at_limit: whether contacts that stick with friction at its limit may slip.
     """
-    domain = Domain(Span(value, value), letter=family.letter)
-    zero, posed = Function.constant(0, _Everywhere(domain.span, letter=family.letter)), list[Any]()
-    for wrenches, *values in function_rows(family, domain):
-        frame: list[Any] = [tuple(zero + x for x in wrench) for wrench in wrenches]
-        functions: list[Any] = [zero + x for x in values]
-        posed.append(ContactRow(frame[0], (frame[1],), *functions))
-    d, states = solution.motion, list[State]()
+    question = _question(family, value)
+    zero, d, states = question.load[0] * 0, solution.motion, list[State]()
     known = [*d]
-    for row, (normal, friction) in zip(posed, solution.forces, strict=True):
-        slip = sum(x.at(value) * y for x, y in zip(row.tangential_wrenches[0], d, strict=True))
+    row: Any
+    for row, (normal, friction) in zip(question.rows, solution.forces, strict=True):
+        slip = _at(row.tangential_wrenches[0], d, value)
         limit = row.friction.at(value) * normal
         if not normal:
             states.append("detached")
@@ -428,9 +423,7 @@ def _carried(
         else:
             states.append("stick")
             known.append(friction)
-    rows = ContactRows(tuple(posed), (), (False,) * len(d), 1)
-    load: Any = tuple(zero + x for x in family.load(domain))
-    program = ContactProgram(LinearQuestion(rows, load), tuple(states))
+    program = ContactProgram(question, tuple(states))
     lines = [[zero + x for x in row] for row in program.equations]
     solved = _solved([lines], known, value)
     if solved is None:
@@ -442,6 +435,18 @@ def _carried(
     }
 
 
+def _question(family: ParametricQuestion, value: Fraction) -> LinearQuestion:
+    """Return the question in functions of the letter that have no answers for single values."""
+    domain = Domain(Span(value, value), letter=family.letter)
+    zero: Any = Function.constant(0, _Everywhere(domain.span, letter=family.letter))
+    posed = []
+    for wrenches, *values in function_rows(family, domain):
+        along, across, numbers = ([zero + x for x in row] for row in (*wrenches, values))
+        posed.append(ContactRow(tuple(along), (tuple(across),), *numbers))
+    load = tuple(zero + x for x in family.load(domain))
+    return LinearQuestion(ContactRows(tuple(posed), (), (False,) * len(load), 1), load)
+
+
 def _carried_tree(family: ParametricQuestion, value: Fraction, tree: Any, room: int) -> Any:
     """Return a tree by states alone, with functions of the letter for the numbers of its leaves.
 
@@ -451,9 +456,9 @@ def _carried_tree(family: ParametricQuestion, value: Fraction, tree: Any, room: 
     domain = Domain(Span(value, value), letter=family.letter)
     rows, load = function_rows(family, domain), family.load(domain)
     form = form_of(family, lambda number, _: Fraction(number))
-    work = applied(rows, load) if room else ()
+    question = _question(family, value)
     carried = {
-        id(leaf): _carried_leaf(family, value, rows, work, room, leaf, place)
+        id(leaf): _carried_leaf(family, value, question, room, leaf, place)
         for leaf, place in placed_leaves(tree, TreeQuestion(rows, load, form))
     }
     return with_leaves(tree, lambda leaf: carried[id(leaf)])
@@ -462,8 +467,7 @@ def _carried_tree(family: ParametricQuestion, value: Fraction, tree: Any, room: 
 def _carried_leaf(
     family: ParametricQuestion,
     value: Fraction,
-    rows: Sequence[Any],
-    work: Sequence[Any],
+    question: LinearQuestion,
     room: int,
     leaf: Leaf,
     place: Place,
@@ -475,11 +479,11 @@ def _carried_leaf(
     and a contact does not slip on the virtual motion.
 
     Args:
-        work: that of the load on a virtual motion, as a row: then the leaf at the value is one with
-            most room, which holds on both sides of it, but less far; else it is the one given.
+        room: see `_carried_tree`; a leaf with most room holds on both sides of the value, but less
+            far than the one given.
     """
-    zero = Function.constant(0, Domain(Span(value, value), letter=family.letter))
-    n, m = len(leaf.motion), len(rows)
+    zero: Any = question.load[0] * 0
+    n, m = len(leaf.motion), len(question.rows)
     size = n + 2 * m
 
     def equation(terms: Sequence[Any], k: int = 0, factor: int = 0) -> list[Any]:
@@ -490,13 +494,13 @@ def _carried_leaf(
     values, balance = [*leaf.motion], [equation([]) for _ in leaf.motion]
     conditions, slips = list[list[Any]](), list[list[Any]]()
     implied, pushes = list[bool](), [zero] * (2 * m)
-    for i, row in enumerate(rows):
+    for i in range(m):
         state = str(place.states.get(i, "undecided"))
-        along, across = ([zero + x for x in wrench] for wrench in row.wrenches)
+        spring, slip = question.symbols["spring", i], question.symbols["slip", i, 0]
         k = n + 2 * i
-        pushes[2 * i] = zero + row.preload
-        for line, x, y in zip(balance[:n], along, across, strict=True):
-            line[k], line[k + 1] = row.stiffness * x * -1, y
+        pushes[2 * i] = spring.get(-1, zero)
+        for j, line in enumerate(balance[:n]):
+            line[k], line[k + 1] = spring.get(j, zero), slip.get(j, zero)
         if state in ("undecided", "detached"):
             conditions.append(equation([], k, 1))
         sign = {"slip+": 1, "slip-": -1}.get(state, 0)
@@ -505,17 +509,19 @@ def _carried_leaf(
         elif state != "stick":
             balance.append(equation([], k + 1, 1))
         least = []
-        for side in (sign,) if sign else (1, -1):
-            factor = [x - row.friction * side * y for x, y in zip(along, across, strict=True)]
-            least.append(sum(x.at(value) * y for x, y in zip(factor, leaf.motion, strict=True)))
+        attached = "attached" if state == "detached" else state
+        for wrench in question.unit_wrenches(i, attached):
+            factor = [zero + x for x in wrench]
+            least.append(_at(factor, leaf.motion, value))
             if state != "detached":
                 conditions.append(equation(factor, k, -1))
-        if not sign and row.friction.top:
-            slips.append(equation(across))
+        if not sign and not question.is_smooth(i):
+            slips.append(equation([slip.get(j, zero) for j in range(n)]))
         # In a region a contact that is decided has these multipliers, if it is not listed.
         implied.append(bool(place.region) and state not in ("undecided", "detached"))
         values += leaf.multipliers.get(i, (Fraction(min(least) * implied[i]), Fraction(0)))
-    if work:
+    if room:
+        work = question.rows.total_load(question.load)
         values = _with_room(conditions, balance, equation([*work, *pushes]), value, room)
     zeros = [equation([], k, 1) for k in range(n, size) if not values[k]]
     tight = [row for row in (*conditions, *slips) if not _at(row, values, value)]

@@ -26,7 +26,7 @@ from arrangement.numbers.linear.intervals import Interval, intersection, union
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_generators
 from arrangement.numbers.linear.rank import difference
 from arrangement.numbers.packing import pack
-from equilibrium.core.contact_law import LinearQuestion
+from equilibrium.core.contact_law import LinearQuestion, fraction
 from equilibrium.core.contact_rows import negated, normal_force_row
 from equilibrium.decide.solver import Solver
 from equilibrium.model.grasp import Grasp
@@ -72,7 +72,13 @@ class StateImages:
             ContactRows.of_grasp(grasp), (Fraction(0),) * 3, max_displacement=max_displacement
         )
         springs = [normal_force_row(contact) for contact in grasp]
-        edges = [{x: question.unit_wrenches(i, x) for x in _ATTACHED} for i in range(len(grasp))]
+        edges = [
+            {
+                x: dict.fromkeys(tuple(map(fraction, w)) for w in question.unit_wrenches(i, x))
+                for x in _ATTACHED
+            }
+            for i in range(len(grasp))
+        ]
         first = lcm(*(x.denominator for row in springs for x in row))
         rows = [edge for e in edges for edge in e["attached"]]
         second = lcm(*(x.denominator for row in (*rows, grasp.adhesion_wrench) for x in row))
