@@ -410,6 +410,8 @@ class Planes:
 
 def checked_names(names: Names, count: int, what: str = "plane") -> tuple[str, ...]:
     """Return a name for each of some planes, "" for none; nothing if no plane has one."""
+    if isinstance(names, tuple) and not names:  # as most planes have none
+        return ()
     listed = () if isinstance(names, Mapping) else entries(names, "names", "names")
     texts = dict(names) if isinstance(names, Mapping) else dict(enumerate(listed, 1))
     if not isinstance(names, Mapping) and len(texts) not in (0, count):
