@@ -61,6 +61,14 @@ _SYNONYMS = {
         ("flats", "hasse", "intersections", "intersection-lattice"),
         "arrangement draw FILE --view lattice -o LATTICE.svg",
     ),
+    "boolean": "arrangement make coordinate --d 3 -o FILE.json",
+    **dict.fromkeys(("explain", "describe"), "arrangement count FILE"),
+    **dict.fromkeys(
+        ("demo", "exercise", "exercises", "homework", "lesson", "lessons", "play", "quiz"),
+        "arrangement lab -o LAB.html",
+    ),
+    "tutte": "in Python arrangement.counts.tutte_polynomial(A)",
+    "matroid": "in Python arrangement.counts.bases(A)",
     "bounds": "proofs-check run slip-state-counts fukuda-bound",
     **dict.fromkeys(("families", "family"), "arrangement list --families"),
     "census": "arrangement list --classes M",
@@ -138,6 +146,8 @@ def _parser() -> Parser:
     text = "convert between the formats of other programs"
     convert = add("convert", library.convert, text, heading="more")
     convert.strays[r"[^-].*\.\w+"] = "-o PATH"
+    convert.strays[r"[a-z][\w-]*"] = "--to {}"
+    convert.synonyms = {**convert.synonyms, "--format": "--to FORMAT", "--type": "--to FORMAT"}
     library.add_convert_options(convert)
     text = "write a page in which lines and great circles are dragged and counted"
     page = add("lab", _lab, text, file="?", heading="more")

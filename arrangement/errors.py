@@ -114,7 +114,7 @@ _ALIKE = 0.81
 
 #: What comes before a noun, or behind it, where its number is meant; and what says nothing.
 _COUNTING = re.compile(r"(?:n|nb|num|number_of|count)_(.+)|(.+)_(?:count|number)")
-_FILLING = re.compile(r"(?:all|calculate|compute|find|get|list)_(.+)")
+_FILLING = re.compile(r"(?:all|calculate|compute|contact|find|get|list|set)_(.+)")
 
 
 def _lower(synonyms: Mapping[str, str]) -> dict[str, str]:
@@ -133,9 +133,9 @@ def _meant(name: str, uses: Mapping[str, str]) -> str | None:
     words = [name]
     if counted := _COUNTING.fullmatch(name):
         noun = counted[1] or counted[2]
-        words += [f"n_{noun}", f"number_of_{noun}", f"{noun.removesuffix('s')}_count"]
+        words += [f"n_{noun}", f"number_of_{noun}", f"{noun.removesuffix('s')}_count", noun]
     if filled := _FILLING.fullmatch(name):
-        words += [filled[1], f"{filled[1]}s"]
+        words += [f"with_{filled[1]}", filled[1], f"{filled[1]}s"]
     parts = name.split("_")
     for word in uses if len(parts) > 1 else ():
         whole = word.split("_")

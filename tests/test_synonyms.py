@@ -217,6 +217,7 @@ def test_one_name_means_one_thing():
         ("compute_regions", "regions"),
         ("char_poly", "characteristic_polynomial"),
         ("CHAMBERS", "chambers"),
+        ("N_CHAMBERS", "chambers"),
         ("F_VECTOR", "f_vector"),
     ],
 )

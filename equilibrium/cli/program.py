@@ -18,7 +18,7 @@ _SYNONYMS = {
         ("lesson", "lessons"), "equilibrium lab -o LAB.html; lessons are in the folder docs/lessons"
     ),
     "slides": "equilibrium lab -o LAB.html; slides are in the folder docs/slides",
-    "play": "equilibrium lab -o LAB.html",
+    **dict.fromkeys(("demo", "play"), "equilibrium lab -o LAB.html"),
     **dict.fromkeys(
         ("exercise", "exercises", "quiz", "homework"),
         "equilibrium lab -o LAB.html; proofs-check grade slip-lab has its exercises",

@@ -40,6 +40,8 @@ _OF_FLOATS = (
 )
 _ROOT = re.compile(r"\s*(?:<[?!][^>]*>\s*)*<([A-Za-z_][\w.:-]*)")
 _SCENE = re.compile(r'\s*\{\s*"schema_version":\s*1,\s*"law":')
+#: Keys of a grasp with its load.
+_QUESTION = {"schema_version", "grasp", "wrench"}
 _XML = {
     "COLLADA": "a COLLADA model",
     "mujoco": "an MJCF model of MuJoCo (`equilibrium draw --model scene` writes such scenes)",
@@ -108,6 +110,9 @@ def read_contacts(
     document = parse_json(text, name, floats=floats, of_floats=_OF_FLOATS)
     if isinstance(document, list) and all(isinstance(entry, dict) for entry in document):
         document = {"contacts": document}
+    is_question = isinstance(document, dict) and {"grasp"} <= document.keys() <= _QUESTION
+    if is_question and isinstance(document["grasp"], dict):
+        document |= document.pop("grasp")
     if isinstance(document, dict) and "contacts" in document:
         document.setdefault("schema_version", 1)  # there is no other
     keys = {"normals", "points", *kinds} & set(document if isinstance(document, dict) else ())

@@ -159,7 +159,7 @@ class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
     _synonyms: ClassVar[Mapping[str, str]] = {
         **NAMES,
         **dict.fromkeys(("from_csv", "from_file", "from_json", "load", "read"), "read_grasp(path)"),
-        "add_contact": "Grasp([*grasp.contacts, contact])",
+        **dict.fromkeys(("add", "add_contact", "append"), "Grasp([*grasp.contacts, contact])"),
         "along": "ResistedSet(grasp).along(wrench)",
         "compare": "compare(grasp, wrench)",
         "epsilon": "GraspWrenchSpace(grasp).epsilon",

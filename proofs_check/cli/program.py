@@ -23,6 +23,7 @@ _SYNONYMS = {
     "proved": "proofs-check run | grep proved",
     **dict.fromkeys(("show", "explain", "info", "describe"), "proofs-check list ID"),
     **dict.fromkeys(("claims", "--list"), "proofs-check list"),
+    "compare": "proofs-check run ID, which compares two computations",
     **dict.fromkeys(("summary", "all", "verdicts", "--all"), "proofs-check run"),
     **dict.fromkeys(("counterexample", "counterexamples"), "proofs-check run ID --save FOLDER"),
     **dict.fromkeys(("homework", "exercise", "exercises"), "proofs-check grade FILE.py"),

@@ -286,8 +286,9 @@ class _PartTypes:
 
     def _unknown_name(self, name: str, what: str) -> OwnClaimError:
         mistake = f"{shown(name)} is not {what}"
-        if name in _SYNONYMS:
-            return OwnClaimError(f"{mistake}; write {_SYNONYMS[name]}")
+        plain = re.sub("^(?:n|nb|num|number_of|count)_|_count$", "", name)
+        if name in _SYNONYMS or (plain != name and plain in QUANTITIES):
+            return OwnClaimError(f"{mistake}; write {_SYNONYMS.get(name, plain)}")
         listed = [*QUANTITIES, *FUNCTIONS, *_FUNCTIONS, *sorted({*self.names} - {*QUANTITIES})]
         words = {word.partition("(")[0].lower(): word for word in [*_SYNONYMS, *listed]}
         near = [words[word] for word in get_close_matches(name.lower(), words, 1)]

@@ -99,6 +99,7 @@ HOSTILE: dict[str, tuple[str | bytes, str]] = {
     "two unknown keys": (document(a=1, b=2), "the unknown keys 'a', 'b'; known keys"),
     "a decimal comma": (document(planes=[["3,5"]]), "'3,5', .*; decimals have a point: 3.5"),
     "no planes": ('{"schema_version": 1}', "exactly one of the keys"),
+    "normals": ('{"normals": [[1, 0]]}', r'are "planes": \[\[1, 0\], \[1, 1\]\], "off'),
     "planes and contacts": (document(contacts=[]), "contacts and planes|planes and contacts"),
     "an unknown key": (document(plane=[]), "unknown key 'plane'"),
     "an unknown key of a megabyte": (document(**{"x" * 10**6: 1}), "unknown key"),

@@ -119,6 +119,8 @@ def test_negative_rationals_are_values(words, numbers):
     assert parsed("--wrench", *words).wrench == list(numbers)
     assert parsed("here", "--wrench", *words, "--json").wrench == list(numbers)
     assert parsed("--wrench", *words, "here").where == "here"
+    for brackets in ("({})", "[{}]", "{}"):
+        assert parsed("--wrench", brackets.format(",".join(words))).wrench == list(numbers)
 
 
 @pytest.mark.parametrize("word", ["-1e", "1e999999999", "-1/0", "nan", "-inf", "0x1", "", "1_2"])

@@ -278,6 +278,9 @@ def test_load_of_a_file_is_taken_where_none_is_given(capsys, tmp_path):
     assert main(["solve", str(path), "--wrench", "0,-1,0"]) == 0
     assert main(["resisted", str(path), "--friction", "1", "2"]) == 0
     assert read_grasp(path) == Grasp(Contact([x, 0], [-x, 0], "1/2", preload=1) for x in (-1, 1))
+    grasp = {"contacts": [{**entry, "position": {"x": -1, "y": 0}} for entry in contacts[:1]]}
+    path.write_text(json.dumps({"grasp": grasp, "wrench": [0, "-1/2", 0]}))
+    assert main(["solve", str(path)]) == 1
     path.write_text(json.dumps({"contacts": contacts}))
     capsys.readouterr()
     assert main(["solve", str(path)]) == 2
@@ -299,6 +302,8 @@ def test_what_is_no_certificate_says_what_writes_one(capsys, tmp_path, content):
     ("name", "content", "answer"),
     [
         ("a.xlsx", "PK", "'a.xlsx' is a spreadsheet; save it as CSV"),
+        ("a.yaml", "contacts:", "'a.yaml' is not JSON; write the same keys and lists as JSON"),
+        ("a.csv", "id,x,y,nx,ny,mu\n", "the column 'id' is unknown; leave it out, or name it one"),
         (
             "-",
             "x,y,nx,ny,mu\n0,0,0,1,1\n",

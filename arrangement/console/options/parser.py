@@ -124,7 +124,7 @@ class Parser(argparse.ArgumentParser):
             elif option is not None or not due:
                 yield word
                 continue
-            parts = re.split(r"[\s,]+", word.strip(", "))
+            parts = re.split(r"[\s,]+", word.strip(", ()[]"))
             if "," not in word and not all(map(_NUMBER.match, parts)):
                 parts = [word]  # a name with a space
             due = max(due - len(parts), 0)
@@ -296,7 +296,7 @@ def _numbers_after(option: argparse.Action) -> int:
 
 def _numbers(words: Sequence[str]) -> int:
     """Return how many numbers come first, in one word or several."""
-    parts = (part for word in words for part in re.split(r"[\s,]+", word.strip(", ")))
+    parts = (part for word in words for part in re.split(r"[\s,]+", word.strip(", ()[]")))
     return sum(1 for _ in takewhile(re.compile(r"[-+]?[.]?[0-9]").match, parts))
 
 

@@ -56,6 +56,8 @@ _Read: TypeAlias = Callable[[Mapping[str, Any]], Arrangement | Segments]
 #: Of a document of the kind "planes"; the first two are needed.
 KEYS = ("schema_version", "planes", "offsets", "dimension", "names", "description", "field")
 
+_FORM = 'Normals n and offsets b of n . x = b are "planes": [[1, 0], [1, 1]], "offsets": [0, 1]'
+
 
 def arrangement_of(document: Any, name: str) -> Arrangement:
     """Return the arrangement that a document called `name` stands for.
@@ -73,7 +75,12 @@ def figure_of(document: Any, name: str) -> Arrangement | Segments:
     """Return what a document called `name` stands for."""
     own: dict[str, _Read] = {"planes": _planes, "polygon": _polygon, "segments": _segments}
     others = added("documents")
-    fields = check_document(document, [*own, *others], name)
+    try:
+        fields = check_document(document, [*own, *others], name)
+    except InputError as error:
+        if not isinstance(document, dict) or document.keys() & {*own, *others}:
+            raise
+        raise InputError(f"{error}. {_FORM}") from None
     kind = next(key for key in (*own, *others) if key in fields)
     made: Arrangement | Segments = (own.get(kind) or named(others[kind]))(fields)
     return made

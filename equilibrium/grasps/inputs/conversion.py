@@ -191,7 +191,10 @@ def with_usual_names(entry: Any, name: str) -> Any:
         usual = _OTHER_NAMES.get(str(other).lower(), other)
         if usual != other and usual in renamed:
             raise GraspError(f"{name} has {other} and {usual}; keep one")
-        renamed[usual] = renamed.pop(other)
+        value = renamed.pop(other)
+        if isinstance(value, Mapping) and [*value] in (["x", "y"], ["x", "y", "z"]):
+            value = [*value.values()]
+        renamed[usual] = value
     return renamed
 
 
