@@ -106,7 +106,7 @@ class Condition:
     def __init__(self, question: LinearQuestion, terms: Terms) -> None:
         self._question, self.terms = question, terms
 
-    @cached_property
+    @property
     def row(self) -> dict[Any, int]:
         """The integers by columns and unknown forces."""
         return self._whole[0]
@@ -312,7 +312,9 @@ class LinearQuestion:
         """Return an expression in unknowns, without symbols."""
         total: Terms = {}
         for key, x in terms.items():
-            add(total, self.symbols.get(key, {key: 1}), x)
+            for j, y in self.symbols.get(key, {key: 1}).items():
+                more = x * y
+                total[j] = total[j] + more if j in total else more
         return total
 
     def is_chosen(self, i: int) -> bool:
