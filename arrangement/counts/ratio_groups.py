@@ -20,6 +20,10 @@ Integers = NDArray[Any]
 _CHUNK = 1 << 19
 #: Relative distance of quotients, each rounded three times, that may be equal.
 _CLOSE = 2.0**-48
+#: Rows of so many slopes are sorted where slopes share a hash alone; a table of these bits.
+_MIN_HASHED = 2000
+_HASH_BITS = 17
+_HASH_FACTOR = np.uint64(0x9E3779B97F4A7C15)
 _COLUMN_PAIRS = np.array([(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)])
 _COLUMN_REST = np.array([(2, 3), (1, 3), (1, 2), (0, 3), (0, 2), (0, 1)])
 
@@ -133,17 +137,35 @@ def equal_slopes(parts: list[Integers], affine: bool) -> tuple[int, int]:
         parts: two coordinates of vectors, in rows; 0 for what is not in a group.
         affine: the last column is infinity, whose groups are left out.
     """
-    lines, columns = parts[0].shape
-    framed = np.full((lines, columns + 2), np.nan)
-    slopes = framed[:, 1:-1]
+    slopes: Integers = np.empty(parts[0].shape)
     _divide(parts, slopes)
     if affine:
         slopes[slopes == slopes[:, -1:]] = np.nan
-    nobody = int(np.isnan(slopes).sum())
+    everybody = np.count_nonzero(slopes == slopes)
+    rows = list(map(_maybe_equal, slopes)) if slopes.shape[1] >= _MIN_HASHED else list(slopes)
+    framed = np.full((len(rows), max(map(len, rows)) + 2), np.nan)
+    for line, row in zip(framed, rows, strict=True):
+        line[1 : len(row) + 1] = row
+    slopes = framed[:, 1:-1]
     slopes.sort(axis=1)
-    changes = framed[:, 1:] != framed[:, :-1]  # NaN, which differs from itself, too
+    # Those without another one in their place, and less what is NaN, which differs from itself.
+    left = int(everybody) - slopes.size
+    changes = framed[:, 1:] != framed[:, :-1]
     alone, groups = changes[:, 1:] & changes[:, :-1], changes[:, :-1]
-    return int(np.count_nonzero(alone)) - nobody, int(np.count_nonzero(groups)) - nobody
+    return int(np.count_nonzero(alone)) + left, int(np.count_nonzero(groups)) + left
+
+
+def _maybe_equal(row: Integers) -> Integers:
+    """Return the slopes of a row that share a place in a table of hashes with another one."""
+    hashes = (row + 0.0).view(np.uint64) * _HASH_FACTOR >> np.uint64(64 - _HASH_BITS)
+    places, numbers = hashes.astype(np.intp), np.arange(len(row))
+    table = np.empty(2**_HASH_BITS, np.intp)
+    table[places] = numbers
+    last = table[places]
+    shared = last != numbers
+    shared[last[shared]] = True
+    equal: Integers = row[shared]
+    return equal
 
 
 def close_slopes(parts: list[Integers], affine: bool) -> tuple[int, int]:

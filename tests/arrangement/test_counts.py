@@ -362,6 +362,24 @@ def test_points_and_bases_are_foreseen(monkeypatch):
     assert steps(affine, "bases of 4") == [pytest.approx(10 * 5**3 * 4)]
 
 
+@pytest.mark.parametrize("affine", [False, True])
+def test_slopes_that_share_no_hash_need_no_sort(affine, monkeypatch):
+    """Rows of any length, with and without equal slopes, 0 with either sign, and infinite ones."""
+    source = Random(f"slopes {affine}")
+    for entries in (3, 40, 10**6):
+        parts = [
+            np.array([[source.randint(-entries, entries) for _ in range(300)] for _ in range(5)])
+            for _ in range(2)
+        ]
+        sorted_sums = ratio_groups.equal_slopes(parts, affine)
+        with monkeypatch.context() as patch:
+            patch.setattr(ratio_groups, "_MIN_HASHED", 0)
+            assert ratio_groups.equal_slopes(parts, affine) == sorted_sums
+            # Where all share a hash all are sorted.
+            patch.setattr(ratio_groups, "_HASH_FACTOR", np.uint64(0))
+            assert ratio_groups.equal_slopes(parts, affine) == sorted_sums
+
+
 @pytest.mark.parametrize("size", [1, 3, 4871, 4872, 10**6, 2 * 10**9, 10**12])
 @pytest.mark.parametrize("affine", [False, True])
 def test_flats_of_rank_two_by_slopes_are_those_by_exact_groups(size, affine):
