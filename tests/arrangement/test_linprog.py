@@ -229,6 +229,19 @@ def test_float_guess_is_near_the_exact_answer(data, n):
     assert (np.array(rows) @ [*point, 1]).min() > -1e-8
 
 
+@given(st.data(), st.integers(1, 4), st.integers(1, 4))
+def test_signed_variables_of_a_float_guess_are_columns(data, signed, free):
+    """As with a row for each of them; the point obeys all rows."""
+    n = signed + free
+    row = st.lists(st.integers(-3, 3), min_size=n + 1, max_size=n + 1)
+    rows = np.array(data.draw(st.lists(row, min_size=1, max_size=6)), dtype=float)
+    program = FloatDictionary(rows.copy(), signed=signed)
+    whole = np.concatenate([rows, np.eye(n, n + 1)[:signed]])
+    assert (program.start() == -1) == (FloatDictionary(whole.copy()).start() == -1)
+    if FloatDictionary(whole.copy()).start() == -1:
+        assert (whole @ [*program.point, 1]).min() > -1e-7
+
+
 @pytest.mark.parametrize("bits", [3, 2000])
 def test_elimination_leaves_one_pivot_per_column(bits):
     source = Random(bits)

@@ -4,6 +4,7 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
+import numpy as np
 import pytest
 
 from arrangement.numbers.exact import dot
@@ -32,14 +33,18 @@ def region(source: Random) -> Region:
     return tuple(found)
 
 
-def answers(asked: Question, regions: list[Region], motions: list[list[int]]) -> list[bool]:
+def answers(
+    asked: Question, regions: list[Region], motions: list[list[int]], factors: list[list[int]]
+) -> list[bool]:
     """Return what the exact test says, after a comparison with the naive one."""
     wrench = tuple(asked.wrench)
-    tested = closed(IntegerContacts(asked.grasp), wrench, regions, motions)
+    table = np.array(factors, dtype=float)
+    tested = closed(IntegerContacts(asked.grasp), wrench, regions, motions, table)
     found = [multiplier is not None for multiplier in tested]
-    for generators, motion, answer in zip(regions, motions, found, strict=True):
+    for generators, motion, row, answer in zip(regions, motions, factors, found, strict=True):
         rows = [[Fraction(x) for x in g] for g in generators]
-        leaf: Any = [str(x) for x in motion]
+        multipliers = {str(i): [str(x), "0"] for i, x in enumerate(row) if x}
+        leaf: Any = {"virtual_motion": [str(x) for x in motion], "multipliers": multipliers}
         assert answer == judge.leaf_holds(asked.grasp, wrench, leaf, rows, {})
     return found
 
@@ -73,7 +78,8 @@ def test_multiplier_of_a_bound_leaves_all_works_above_0(work, beyond, weight, fo
 def test_the_answer_is_that_of_a_naive_evaluation(size):
     source = Random(f"leaves {size}")
     found: list[bool] = []
-    for seed in range(20):
+    with_factors = []
+    for seed in range(40):
         asked = question(seed)
         regions = [region(source) for _ in range(12)]
         if seed % 2:
@@ -82,8 +88,13 @@ def test_the_answer_is_that_of_a_naive_evaluation(size):
             # Against which the load surely works.
             along = [round(w * size) for w in asked.wrench]
             motions = [[x + source.randint(-1, 1) for x in along] for _ in regions]
-        found += answers(asked, regions, motions)
+        choices = (0, 0, 1, size // 4) if seed > 20 else (0,)
+        factors = [[source.choice(choices) for _ in asked.grasp] for _ in regions]
+        found += answers(asked, regions, motions, factors)
+        with_factors += [any(row) for row in factors]
     assert 10 < sum(found) < len(found) - 10
+    closed_by = [some for some, answer in zip(with_factors, found, strict=True) if answer]
+    assert 0 < sum(closed_by) < min(len(closed_by), sum(with_factors))
 
 
 #: Of one contact: in the plane with the names of certificates, in space with a sector.

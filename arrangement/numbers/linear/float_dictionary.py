@@ -36,11 +36,12 @@ class FloatDictionary:
     Args:
         rows: (k, n + 1), of a size of about 1, the constant last; the equalities last of all.
         equalities: their number.
+        signed: how many variables, the first ones, are at least 0; not with equalities.
     """
 
-    def __init__(self, rows: Floats, equalities: int = 0) -> None:
+    def __init__(self, rows: Floats, equalities: int = 0, signed: int = 0) -> None:
         k, n = len(rows), rows.shape[1] - 1
-        self._k, self._first_equality = k, k - equalities
+        self._k, self._first_equality = k + signed, k + signed - equalities
         self._max_steps = _MAX_STEPS_PER_VARIABLE * (n + 4)
         self._table, self._scale = rows, np.zeros(n + 1, int)
         self._rows, self._columns = np.arange(k), np.arange(k, k + n)
@@ -60,6 +61,13 @@ class FloatDictionary:
     def tight(self) -> list[int]:
         """The symbols at 0: all n of them where the rows leave no direction free."""
         return [*self._fixed, *self._columns.tolist()]
+
+    @property
+    def point(self) -> Floats:
+        """The variables where columns are at 0, if their rows were not scaled."""
+        values = np.zeros(len(self._rows) + len(self._columns) + len(self._fixed))
+        values[self._rows] = self._table[:, -1]
+        return values[len(self._rows) :]
 
     def start(self) -> int | None:
         """Find a point; return -1, or a row that can never hold, or None without either."""
@@ -96,6 +104,8 @@ class FloatDictionary:
 
     def _drop(self, columns: Booleans) -> None:
         """Leave columns at 0 for good."""
+        if not columns.any():
+            return
         self._fixed += self._columns[columns].tolist()
         self._columns = self._columns[~columns]
         self._table = np.delete(self._table, np.flatnonzero(columns), axis=1)
@@ -104,18 +114,17 @@ class FloatDictionary:
         """Dual simplex method; the cost stands in the last row."""
         table = self._table
         for _ in range(self._max_steps):
-            slack = self._rows < self._first_equality
-            ends = np.where(slack, table[:-1, -1], 0.0)
-            if ends.min(initial=0.0) >= -_TOLERANCE:
+            ends = np.where(self._rows < self._first_equality, table[:-1, -1], 0.0)
+            r = int(ends.argmin()) if len(ends) else -1
+            if r < 0 or ends[r] >= -_TOLERANCE:
                 return -1
-            r = int(ends.argmin())
-            row = table[r, :-1]
-            usable = row > _MIN_PIVOT
-            if not usable.any():
+            usable = np.flatnonzero(table[r, :-1] > _MIN_PIVOT)
+            if not len(usable):
                 return int(self._rows[r])
-            ratio = np.where(usable, table[-1, :-1], np.inf) / np.where(usable, row, 1.0)
+            row = table[r, usable]
+            ratio = table[-1, usable] / row
             # Of equal ones the largest pivot.
-            c = int(np.where(ratio <= ratio.min() + 1e-12, row, 0.0).argmax())
+            c = int(usable[np.where(ratio <= ratio.min() + 1e-12, row, 0.0).argmax()])
             self._pivot(r, c)
         return None
 
@@ -161,7 +170,7 @@ class FloatDictionary:
         """Exchange row r and column c."""
         table = self._table
         p, row, column = table[r, c], table[r].copy(), table[:, c].copy()
-        table -= np.outer(column / p, row)
+        table -= (column / p)[:, None] * row
         table[:, c], table[r] = column / p, row / -p
         table[r, c] = 1 / p
         self._rows[r], self._columns[c] = self._columns[c], self._rows[r]

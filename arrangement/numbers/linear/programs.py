@@ -187,7 +187,10 @@ class Rows:
 
     def given(self, terms: dict[int, Fraction]) -> tuple[RationalVector, RationalVector]:
         """Return multipliers of the given rows from those of the integer rows."""
-        values = [terms.get(k, Fraction(0)) / scale for k, scale in enumerate(self.scales)]
+        values = [Fraction(0)] * len(self.scales)
+        for k, x in terms.items():
+            if x and k >= 0:
+                values[k] = x / self.scales[k]
         return tuple(values[: self.first_equality]), tuple(values[self.first_equality :])
 
     def _row(self, k: int) -> list[int]:

@@ -12,7 +12,7 @@ import itertools
 import json
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -42,6 +42,10 @@ ORTHANTS = tuple(
 _MAX_ARRAY_NUMBERS = 3_000_000
 #: A region cut out so often, and every fourth time from then on, is tried by states.
 _CUTS_BEFORE_STATES = 12
+#: A program guesses what closes a region after so many cuts again,
+_CUTS_BETWEEN = 4
+#: where no more than this part of its works is missing.
+_NEAR = 0.01
 #: Up to so many contacts, and all with huge or tiny numbers, which floats cannot guide, are tried
 #: by states as a whole.
 _MAX_CONTACTS_WHOLE = 6
@@ -160,12 +164,12 @@ class MotionRegions:
         """Try the states of contacts on a small region, now and then; return whether that ended."""
         if self.solution is not None:
             return True
-        if region.depth < _CUTS_BEFORE_STATES or region.depth % 4:
+        if region.depth < _CUTS_BEFORE_STATES or region.depth % _CUTS_BETWEEN:
             return False
         if region.depth == _CUTS_BEFORE_STATES:
             self._look_inside(region)
         loose = self._floats(self._scaled([region.generators])[0])
-        count = int(np.sum(loose.mixed | (loose.touching & (loose.slip == 0))))
+        count = int(loose.open.sum())
         if self.solution is not None or count > region.depth - _CUTS_BEFORE_STATES:
             return self.solution is not None
         return self._by_states(region, 10 * 2.0 ** (region.depth // 8))
@@ -176,7 +180,8 @@ class MotionRegions:
         The load then works, and no contact can work against it, whatever its spring does.
         """
         v, c = self.virtual, self.contacts
-        load, least, _, _ = v.works
+        columns, least, *_ = v.works
+        load = v.load @ columns
         works = load > _TOLERANCE * np.abs(load).max()
         for row in np.flatnonzero(works & (least.min(axis=0, initial=1.0) > -_TOLERANCE)):
             motion = np.array(v.integers(v.candidates[row]), dtype=object)
@@ -194,11 +199,10 @@ class MotionRegions:
         return generators / size[..., None], size
 
     def _floats(self, generators: Floats) -> Regions:
-        c = self.contacts.floats
-        slip, spring = generators[..., 1:] @ c.tangent.T, c.spring_forces_at(generators)
+        given = self.contacts.floats, self.virtual.load, generators
         if not len(self.rows):
             none = np.zeros(len(generators), dtype=np.intp)
-            return Regions(generators[..., 0], spring, slip, np.zeros(spring.shape[:2]), none)
+            return Regions(*given, np.zeros(generators.shape[:2]), none)
         # The row that most of the region breaks.
         values = generators @ self.rows.T
         least, most = values.min(axis=1), values.max(axis=1)
@@ -206,7 +210,7 @@ class MotionRegions:
         row = share.argmax(axis=1)
         beyond = np.take_along_axis(values, row[:, None, None], axis=2)[:, :, 0]
         beyond = np.where(share.max(axis=1)[:, None] > 0, beyond, 0.0)
-        return Regions(generators[..., 0], spring, slip, beyond, row)
+        return Regions(*given, beyond, row)
 
     def _unclosed(self, regions: list[_OpenRegion]) -> list[_OpenRegion]:
         """Close what can be closed; return the others."""
@@ -218,15 +222,25 @@ class MotionRegions:
         motions, values = self.virtual.best(floats, self.rounds)
         # Near the boundary floats cannot distinguish 0 from what is enough.
         hopeful = np.flatnonzero(values > -_TOLERANCE).tolist()
+        factors = np.zeros(floats.open.shape)
+        for n in np.flatnonzero((values <= -_TOLERANCE) & (values > -_NEAR * floats.size)).tolist():
+            if regions[n].depth > 0 and not regions[n].depth % _CUTS_BETWEEN and n not in done:
+                guess = self.virtual.multiplied(floats, n)
+                if guess is not None:
+                    motions[n], factors[n] = guess
+                    hopeful.append(n)
         exact = [self.virtual.integers(motions[n]) for n in hopeful]
         generators_of = [regions[n].generators for n in hopeful]
         rows = floats.row[hopeful].tolist() if len(self.rows) else []
-        tested = closed(self.contacts, self.wrench, generators_of, exact, rows) if hopeful else []
+        question = self.contacts, self.wrench, generators_of
+        tested = closed(*question, exact, factors[hopeful], rows) if hopeful else []
         for place, (n, motion, multiplier) in enumerate(zip(hopeful, exact, tested, strict=True)):
             if multiplier is None:
                 continue
             used = {rows[place]: multiplier} if multiplier else {}
-            regions[n].close(self.contacts.bound_leaf(motion, used))
+            leaf = self.contacts.bound_leaf(motion, used)
+            mixed = {int(i): (int(factors[n, i]), 0) for i in np.flatnonzero(factors[n])}
+            regions[n].close(replace(leaf, multipliers=mixed))
             done.add(n)
         return [region for n, region in enumerate(regions) if n not in done]
 

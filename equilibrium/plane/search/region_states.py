@@ -152,6 +152,7 @@ class StateSplits:
                 rows[i] = numbers
             elif (
                 state == "undecided"
+                and numbers[0] > 0
                 and (least := min(numbers[0], self._factor(i, leaf.motion))) > 0
             ):
                 rows[i] = (least, Fraction(0))

@@ -18,6 +18,7 @@ import numpy.typing as npt
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, primitive
 from arrangement.numbers.float_filter import Floats
+from arrangement.numbers.linear.float_dictionary import FloatDictionary
 from equilibrium.core.contacts import FloatContacts, IntegerContacts, nearest, product, whole
 
 #: Entries of the virtual motions tried first.
@@ -26,8 +27,8 @@ _MAX_FIRST_ENTRY = 2
 _TOLERANCE = 1e-12
 #: Multipliers of bounded displacements have denominators up to this where that will do.
 _MAX_DENOMINATOR = 2**16
-#: Up to this many contacts all are added up, needed or not.
-_MAX_CONTACTS_DENSE = 30
+#: What a sum of works of the size 1 may lose where virtual motion and multipliers are rounded.
+_ROUNDED_WORK = 2.0
 #: Steps from a virtual motion to those around it.
 _NEIGHBOURS = np.array([x for x in itertools.product((-1, 0, 1), repeat=3) if any(x)], dtype=float)
 
@@ -36,15 +37,14 @@ class VirtualMotions:
     """The works of virtual motions for one question.
 
     Attributes:
-        unit: what one means in each of the three coordinates; integers, or one over integers.
-        candidates: (L, 3), integers in these units.
+        arm: what one unit of a turn is divided by, a power of 2.
+        candidates: (L, 3), small integers in these units.
     """
 
     def __init__(self, contacts: IntegerContacts, wrench: RationalVector) -> None:
         self.contacts: FloatContacts = contacts.floats
-        c = self.contacts
         self.load = np.array([nearest(w) for w in wrench])
-        self.arm = 2.0 ** round(math.log2(c.length))
+        self.arm = 2.0 ** round(math.log2(self.contacts.length))
         entries = range(-_MAX_FIRST_ENTRY, _MAX_FIRST_ENTRY + 1)
         every = itertools.product(entries, repeat=3)
         # The simplest first: where two do equally well, that one is taken.
@@ -52,18 +52,19 @@ class VirtualMotions:
         self.candidates = np.array(listed, dtype=float)
         self.works = self._works(self.candidates)
 
-    def _works(self, motions: Floats) -> tuple[Floats, ...]:
-        """Return for (..., L, 3) virtual motions in units: work of the load, and least works.
+    def _works(self, motions: Floats, used: Any = slice(None)) -> tuple[Floats, ...]:
+        """Return for (..., L, 3) virtual motions in units: the columns of those of length 1, works.
 
-        The latter are those of a unit spring force at each contact, (..., m, L): sliding either
-        way, sliding +, sliding -.
+        These are the least works of a unit spring force at each contact, (..., m, L): sliding
+        either way; and, where they are below 0, either way, +, -.
         """
         c = self.contacts
         real = motions / np.array([1.0, 1.0, self.arm])
-        real = real / np.linalg.norm(motions, axis=-1, keepdims=True)
-        along = c.normal @ np.swapaxes(real, -1, -2)
-        across = c.pull @ np.swapaxes(real, -1, -2)
-        return real @ self.load, along - np.abs(across), along - across, along + across
+        columns = np.swapaxes(real / np.linalg.norm(motions, axis=-1, keepdims=True), -1, -2)
+        along, across = c.normal[used] @ columns, c.pull[used] @ columns
+        either = along - np.abs(across)
+        lows = (np.minimum(x, 0.0) for x in (either, along - across, along + across))
+        return columns, either, *lows
 
     def values(self, regions: Regions, motions: Floats | None = None) -> Floats:
         """Return (R, L): positive where a virtual motion seems to close a region.
@@ -71,24 +72,17 @@ class VirtualMotions:
         Args:
             motions: (R, L, 3) for each region, or None for the candidates.
         """
-        load, either, plus, minus = self.works if motions is None else self._works(motions)
-        pos, mixed = regions.touching, regions.mixed
-        spring = regions.spring
-        lifted = np.maximum(spring, 0.0)
-        total = regions.weight[:, :, None] * np.expand_dims(load, -2)
-        for chosen, kappa in (
-            (regions.slip == 0, either),
-            (regions.slip > 0, plus),
-            (regions.slip < 0, minus),
-        ):
-            for of, force, works in (
-                (pos & chosen, spring, kappa),
-                (mixed & chosen, lifted, np.minimum(kappa, 0.0)),
-            ):
-                # Deep down few contacts are mixed, and few may slip either way.
-                dense = of.shape[1] <= _MAX_CONTACTS_DENSE
-                used = slice(None) if dense else np.flatnonzero(of.any(axis=0))
-                total += (force[:, :, used] * of[:, None, used]) @ works[..., used, :]
+        mixed, slip = regions.mixed, regions.slip
+        kinds = regions.open & ~mixed, mixed & (slip == 0), mixed & (slip > 0), mixed & (slip < 0)
+        used = np.flatnonzero(regions.open.any(axis=0))
+        columns, *works = self.works if motions is None else self._works(motions, used)
+        total = regions.linear @ columns
+        for of, least in zip(kinds, works, strict=True):
+            # Deep down few contacts are mixed, and few may slip either way.
+            if (chosen := of.any(axis=0)).any():
+                rows = chosen if motions is None else chosen[used]
+                pressed = regions.lifted[:, :, chosen] * of[:, None, chosen]
+                total += pressed @ least[..., rows, :]
         if regions.beyond.any():
             total -= _multiplier(total, regions.beyond[:, :, None]) * regions.beyond[:, :, None]
         far = (regions.weight == 0)[:, :, None]
@@ -117,15 +111,44 @@ class VirtualMotions:
             value[open_] = np.maximum(value[open_], best_value)
         return motions, value
 
+    def multiplied(self, regions: Regions, n: int) -> tuple[Floats, Floats] | None:
+        """Return integers that seem to close a region: a virtual motion, multipliers of contacts.
+
+        A linear program guesses them. Of a contact that the region does not decide, which does at
+        least ``kappa`` times its normal force, it has ``u <= kappa`` as a difference of two numbers
+        of at least 0; they count as u times the spring where u > 0, else the normal force. All
+        conditions have room for what rounding changes, so thin cones give longer integers.
+        """
+        arms = np.array([1.0, 1.0, self.arm])
+        used = np.flatnonzero(regions.open[n])
+        count, base = len(used), regions.linear[n] / arms
+        works = np.hstack([regions.spring[n][:, used], -regions.lifted[n][:, used], base])
+        works /= np.maximum(np.abs(works).sum(axis=1, keepdims=True), 1e-300)
+        room = np.where((regions.weight[n] > 0) | base.any(axis=1), _ROUNDED_WORK, 0.0)
+        along, across = self.contacts.normal[used] / arms, self.contacts.pull[used] / arms
+        kappas = np.concatenate([along - across, along + across])
+        unit, rounded = np.tile(np.eye(count), (2, 1)), np.abs(kappas).sum(axis=1) / 2
+        possible = np.concatenate([regions.slip[n, used] >= 0, regions.slip[n, used] <= 0])
+        limits = np.column_stack([-unit, unit, kappas, -rounded])[possible]
+        program = FloatDictionary(
+            np.concatenate([np.column_stack([works, -room]), limits]), signed=2 * count
+        )
+        if program.start() != -1 or not np.isfinite(program.point).all():
+            return None
+        point = program.point
+        factors = np.floor(point[:count] - point[count : 2 * count])
+        multipliers = np.zeros(len(self.contacts.normal))
+        multipliers[used] = np.where(regions.mixed[n, used], np.maximum(factors, 0.0), 0.0)
+        return np.rint(point[-3:]), multipliers * max(self.arm, 1.0)
+
     def integers(self, motion: Sequence[float]) -> tuple[int, int, int]:
-        """Return coprime integers of the same direction, in the coordinates of the object."""
+        """Return integers of the same direction, in the coordinates of the object."""
         x, y, r = (round(v) for v in motion)
-        if self.arm >= 1:
-            x, y = x * int(self.arm), y * int(self.arm)
-        else:
-            r *= int(1 / self.arm)
-        common = math.gcd(x, y, r) or 1
-        return x // common, y // common, r // common
+        return (
+            (x * int(self.arm), y * int(self.arm), r)
+            if self.arm >= 1
+            else (x, y, r * int(1 / self.arm))
+        )
 
 
 class Regions:
@@ -133,24 +156,33 @@ class Regions:
 
     Attributes:
         weight: (R, 4), the entries d_0 of generators scaled to a common length.
-        spring, shift: (R, 4, m), spring force and slip at the generators.
-        touching, mixed: (R, m), where the spring force is >= 0 everywhere, where it changes sign.
+        spring: (R, 4, m), the spring force at the generators; lifted: the same where it presses.
+        mixed, open: (R, m), where it changes sign, and where that or the slip is not decided.
         slip: (R, m), the sign of the slip where it is the same everywhere, else 0.
+        linear: (R, 4, 3), the wrench of the load and of contacts that touch and slip one way.
+        size: (R,), about the largest works.
         beyond: (R, 4), a row of bounded displacements at the generators, below 0 at some, or zeros;
             row: (R,), which row that is.
     """
 
     def __init__(
-        self, weight: Floats, spring: Floats, shift: Floats, beyond: Floats, row: Any
+        self, contacts: FloatContacts, load: Floats, generators: Floats, beyond: Floats, row: Any
     ) -> None:
-        self.weight, self.spring, self.shift = weight, spring, shift
-        self.beyond, self.row = beyond, row
-        low, high = spring.min(axis=1), spring.max(axis=1)
-        self.touching = low >= -_TOLERANCE
-        self.mixed = (high > _TOLERANCE) & ~self.touching
+        self.beyond, self.row, self.weight = beyond, row, generators[..., 0]
+        self.spring = contacts.spring_forces_at(generators)
+        self.lifted = np.maximum(self.spring, 0.0)
+        shift = generators[..., 1:] @ contacts.tangent.T
+        touching = self.spring.min(axis=1) >= -_TOLERANCE
+        self.mixed = (self.spring.max(axis=1) > _TOLERANCE) & ~touching
         self.slip = np.where(shift.min(axis=1) > _TOLERANCE, 1, 0) - np.where(
             shift.max(axis=1) < -_TOLERANCE, 1, 0
         )
+        self.open = self.mixed | (touching & (self.slip == 0))
+        decided = self.lifted * (touching & ~self.open)[:, None]
+        self.linear = self.weight[..., None] * load + decided @ contacts.normal
+        self.linear -= (decided * self.slip[:, None]) @ contacts.pull
+        self.size = np.linalg.norm(load) * self.weight.max(axis=1)
+        self.size += self.lifted.sum(axis=2).max(axis=1)
 
     def take(self, rows: npt.NDArray[np.intp]) -> Regions:
         """Return some of the regions."""
@@ -179,12 +211,17 @@ def closed(
     wrench: RationalVector,
     regions: Sequence[Sequence[IntegerVector]],
     motions: Sequence[Sequence[int]],
+    factors: Floats,
     rows: Sequence[int] = (),
 ) -> list[Fraction | None]:
     """Return for each region whether the virtual motion beside it closes it, exactly.
 
     That is 0 where it does, or a multiplier of a row of bounded displacements with which it does,
     or None.
+
+    Args:
+        factors: (R, m), integers; of a contact with one above 0 that, times e, is its least work,
+            if it is at most kappa.
 
     With ``a = lambda . N``, ``b = lambda . T``, the contacts' least work for the spring force e is
     ``kappa e``: kappa = a - mu b where the contact surely slips +, a + mu b where it slips -, else
@@ -204,16 +241,20 @@ def closed(
     kappa = along - np.where(sliding == 0, np.abs(across), sliding * across)
     low, high = spring.min(axis=1, initial=0), spring.max(axis=1, initial=0)
     mixed = (low < 0) & (high > 0)
+    scaled = whole([[int(x) for x in row] for row in factors.tolist()], (count, m))
+    scaled = contacts.wrench_unit * contacts.friction_unit * scaled
+    broken = (scaled > np.maximum(kappa, 0)).any(axis=1)
     kappa = np.where((high <= 0) | (mixed & (kappa > 0)), 0, kappa)
     terms = kappa[:, None, :] * np.where(spring > 0, spring, 0)
+    terms = np.where(scaled[:, None, :] > 0, scaled[:, None, :] * spring, terms)
     unit = contacts.common_unit
     load = primitive([*wrench, 1])
     work = terms.astype(object).dot(contacts.shares) * load[3]
     work = work + (chosen.dot(whole([load[:3]], (3,))) * unit)[:, None] * generators[:, :, 0]
-    passed = np.where(generators[:, :, 0] > 0, work > 0, work >= 0).all(axis=1)
+    passed = np.where(generators[:, :, 0] > 0, work > 0, work >= 0).all(axis=1) & ~broken
     multipliers: list[Fraction | None] = [Fraction(0) if good else None for good in passed]
     for n, k in enumerate(rows):
-        if multipliers[n] is None:
+        if multipliers[n] is None and not broken[n]:
             beyond = generators[n].dot(contacts.bounds[0][k]).tolist()
             unit = contacts.common_unit * load[3]
             number = _exact_multiplier(work[n].tolist(), beyond, generators[n, :, 0].tolist())
