@@ -164,11 +164,11 @@ def _add_count(count: argparse.ArgumentParser) -> None:
         "--time-limit",
         type=values.seconds_argument,
         metavar="SECONDS",
-        help="stop then and print the coefficients found so far",
+        help="stop after SECONDS and print the coefficients so far",
     )
     instead = count.add_mutually_exclusive_group()
     instead.add_argument(
-        "--store", metavar="FOLDER", help="keeps what is done; the same command continues it"
+        "--store", metavar="FOLDER", help="store the parts here; the same command continues"
     )
     instead.add_argument(
         "--forecast", action="store_true", help="only estimate the work, from a sample"

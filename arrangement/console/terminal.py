@@ -128,7 +128,7 @@ def add_worker_options(parser: Any, shard: bool = True) -> None:
             metavar="I/N",
             help="do only the I-th of N parts, for machines without a cluster",
         )
-    parser.add_argument("--dask", metavar="ADDRESS", help="of a scheduler that has workers")
+    parser.add_argument("--dask", metavar="ADDRESS", help="address of a Dask scheduler")
 
 
 def add_number_options(parser: argparse.ArgumentParser) -> None:

@@ -88,7 +88,7 @@ def _summary(family: Callable[..., Arrangement]) -> str:
 
 def add_list_options(parser: argparse.ArgumentParser) -> None:
     """Add what ``list`` can list besides the built-in arrangements."""
-    parser.add_argument("--families", action="store_true", help="list what `make` can make")
+    parser.add_argument("--families", action="store_true", help="list the families of `make`")
     parser.add_argument(
         "--classes",
         type=values.integer_argument,
@@ -101,7 +101,7 @@ def add_list_options(parser: argparse.ArgumentParser) -> None:
         help="with --classes: count their regions by the formally verified program, too",
     )
     parser.add_argument(
-        "--from", dest="source", metavar="FORMAT", help="of FILE (default: seen from the text)"
+        "--from", dest="source", metavar="FORMAT", help="of FILE (default: detected from the text)"
     )
 
 
@@ -156,13 +156,13 @@ def add_convert_options(parser: argparse.ArgumentParser) -> None:
         "--from",
         dest="source",
         metavar="FORMAT",
-        help="such as christ or chirotope (default: seen from the text)",
+        help="such as christ or chirotope (default: detected)",
     )
     parser.add_argument(
         "--number",
         type=values.count_argument,
         metavar="K",
-        help="take this one of a file of several, from 1 on",
+        help="use arrangement number K of the file, counted from 1",
     )
     parser.add_argument("-o", "--output", metavar="PATH", help="(default: print it; needs --to)")
     parser.add_argument(

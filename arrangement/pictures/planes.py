@@ -559,7 +559,7 @@ def draw_section(
     width: float = 88.0,
     coordinates: str | None = None,
 ) -> Scene:
-    """Draw what central hyperplanes of rank 4 cut out on another one, as planes in R^3.
+    """Draw the section of central hyperplanes of rank 4 by another one, as planes in R^3.
 
     A caption has the equation of the hyperplane. Elements and signs are those of planes in R^3.
 

@@ -49,7 +49,7 @@ def add_lab(commands: Any) -> None:
     text = "write a page in which contacts and load are dragged, with exact answers"
     lab = add_command(commands, "lab", _lab, text, optional=True, numbers=False)
     lab.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
-    text = "at first: applied force (f_x, f_y) and torque tau"
+    text = "initial force (f_x, f_y) and torque tau"
     add_applied(lab, text=text, required=False)
     lab.add_argument("--title", metavar="TEXT", help="a heading")
     lab.add_argument(

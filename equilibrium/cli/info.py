@@ -64,7 +64,7 @@ def add_command_info(commands: Any) -> None:
     forms = parser.add_mutually_exclusive_group()
     text = "measure the Grasp Wrench Space: force closure, epsilon, slice, facets"
     forms.add_argument("--force-closure", action="store_true", help=text)
-    text = "list contact modes: what rigid contacts can do, from kinematics alone"
+    text = "list the contact modes of rigid contacts, from kinematics alone"
     forms.add_argument("--modes", action="store_true", help=text)
     text = "with --force-closure: of the normal forces (default: L1)"
     parser.add_argument("--norm", choices=("L1", "Linf"), help=text)

@@ -123,7 +123,7 @@ def draw_compare(
     extent: Exact | None = None,
     width: float = 180.0,
 ) -> Scene:
-    """Draw the forces that each method accepts, as exact polygons: small multiples in one plane.
+    """Draw the forces that each method predicts stable, as exact polygons, side by side.
 
     Args:
         grasp: contacts; springs and preload count where a method knows of them.
@@ -327,7 +327,7 @@ def draw_polar(
     extent: Exact | None = None,
     width: float = 88.0,
 ) -> Scene:
-    """Draw what a binary search in each direction finds, on the exact set of resisted forces.
+    """Draw the result of a binary search in each direction, over the exact set of resisted forces.
 
     Every direction has one mark, at the magnitude that the search returns, or at the rim when the
     largest magnitude tried is resisted ("unbounded"). A dot: the search is right. A cross: it

@@ -167,7 +167,7 @@ def summary_lines(maps: ProofMaps, named: int) -> Iterator[str]:
         "regions: motions of every size; farther centres and translations lie beyond the edges"
         if maps.angle is None
         else f"regions: only the motions with r = {LABEL.number(maps.angle)} (left) and r = "
-        f"{LABEL.number(-maps.angle)} (right) are shown; the proof has all"
+        f"{LABEL.number(-maps.angle)} (right) are shown; the proof covers all"
     )
 
 

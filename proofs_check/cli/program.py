@@ -132,7 +132,7 @@ def _parser() -> Parser:
         default="template",
         help=f"one of {', '.join(EXAMPLES[1:])} (default: two short claims)",
     )
-    whole = command("paper", "paper.run_paper", "write the paper's figures and tables, made again")
+    whole = command("paper", "paper.run_paper", "reproduce the paper's figures and tables")
     whole.add_argument(
         "-o",
         "--output",
@@ -315,7 +315,9 @@ def _add_extreme(parser: argparse.ArgumentParser) -> None:
     way = parser.add_mutually_exclusive_group()
     way.add_argument("--largest", action="store_true", help="(default)")
     way.add_argument("--smallest", action="store_true", help="the smallest value instead")
-    parser.add_argument("--when", metavar="CONDITION", help="only classes of which it is true")
+    parser.add_argument(
+        "--when", metavar="CONDITION", help="only classes that satisfy this condition"
+    )
     parser.add_argument(
         "--save", metavar="FOLDER", help="write an example of each value here, to draw or count"
     )
@@ -324,13 +326,13 @@ def _add_extreme(parser: argparse.ArgumentParser) -> None:
 def _add_sweep(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("claim", nargs="?", metavar="ID", help="a claim, FILE.py, or FILE.py:ID")
     parser.add_argument(
-        "--store", required=True, metavar="FILE", help="keeps what is done; made when missing"
+        "--store", required=True, metavar="FILE", help="store the results here (created if missing)"
     )
     instead = parser.add_mutually_exclusive_group()
     instead.add_argument(
         "--status",
         action="store_true",
-        help="print how far the sweep of the store is: exit code 0 complete, 1 not yet",
+        help="print the progress of the sweep: exit code 0 complete, 1 not yet",
     )
     instead.add_argument(
         "--merge", nargs="+", metavar="PART", help="add the chunks of these stores of one sweep"
