@@ -80,6 +80,12 @@ def escape_mathematics(app, what, name, obj, options, lines):
             lines[number] = bullet + "".join(parts)
 
 
+def keep_colons(app, what, name, obj, options, lines):
+    """Start the text of a property with an empty line: Napoleon takes "size: ..." for its type."""
+    if what == "property":
+        lines.insert(0, "")
+
+
 def make_figures(app):
     """Run each script of figures/ in the folder _generated, unless what it made is up to date.
 
@@ -131,3 +137,4 @@ def setup(app):
     app.connect("builder-inited", make_figures)
     app.connect("build-finished", drop_bundles)
     app.connect("autodoc-process-docstring", escape_mathematics, priority=400)
+    app.connect("autodoc-process-docstring", keep_colons, priority=450)
