@@ -81,9 +81,9 @@ def escape_mathematics(app, what, name, obj, options, lines):
 
 
 def keep_colons(app, what, name, obj, options, lines):
-    """Start the text of a property with an empty line: Napoleon takes "size: ..." for its type."""
+    """Start texts of properties with a comment: Napoleon takes words before a colon for a type."""
     if what == "property":
-        lines.insert(0, "")
+        lines[:0] = ["..", ""]
 
 
 def make_figures(app):
