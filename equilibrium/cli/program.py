@@ -41,6 +41,8 @@ _SYNONYMS = {
         ),
         "equilibrium resisted GRASP LOAD --parameter t=0..1, with the letter t in the file",
     ),
+    "sensitivity": "equilibrium solve GRASP LOAD --robust length=1/100 friction=5%",
+    "--uncertainty": "--robust length=1/100 friction=5%",
     "monte-carlo": "equilibrium solve GRASP LOAD --robust length=1/100 friction=5%",
     "limit": "equilibrium resisted GRASP LOAD, or equilibrium resisted GRASP --smallest",
     **dict.fromkeys(
@@ -74,7 +76,7 @@ _SYNONYMS = {
     "--plot": "equilibrium draw GRASP LOAD -o PATH",
     "check": "equilibrium verify CERTIFICATE, or equilibrium solve GRASP LOAD",
     "convert": "equilibrium make",
-    "--any-direction": "--smallest",
+    **dict.fromkeys(("--any-direction", "--all-directions"), "--smallest"),
     "--direction": "--wrench F_X F_Y TAU",
     **dict.fromkeys(("--torque", "--moment"), "--wrench F_X F_Y TAU"),
     "--directions": "--rays",

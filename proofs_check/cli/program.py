@@ -21,7 +21,9 @@ _SYNONYMS = {
         ("refuted", "false", "--refuted", "--false", "--failed"), "proofs-check run | grep refuted"
     ),
     "proved": "proofs-check run | grep proved",
-    **dict.fromkeys(("show", "explain", "info", "describe"), "proofs-check list ID"),
+    **dict.fromkeys(("show", "explain", "info", "describe", "evidence"), "proofs-check list ID"),
+    **dict.fromkeys(("html", "pdf"), "proofs-check run -o REPORT.html"),
+    "lab": "arrangement lab -o LAB.html, or equilibrium lab -o LAB.html",
     **dict.fromkeys(("claims", "--list"), "proofs-check list"),
     "compare": "proofs-check run ID, which compares two computations",
     **dict.fromkeys(("summary", "all", "verdicts", "--all"), "proofs-check run"),

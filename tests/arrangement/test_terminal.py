@@ -69,6 +69,8 @@ def test_other_words_are_answered_with_the_name(capsys):
         (["go", "--speed", "3"], "error: there is no '--speed'; write '--wrench' ("),
         (["go", "--speed=3"], "error: there is no '--speed'; write '--wrench' ("),
         (["go", "--max_speed"], "error: there is no '--speed'; write '--wrench' ("),
+        (["walks"], "error: there is no 'walk'; write 'demo go --fast' ("),
+        (["go", "--fast-walk"], "error: unknown option '--fast-walk'"),
         (["long-walk"], "error: there is no 'walk'; write 'demo go --fast' ("),
         (["make", "--speed"], "error: unknown option '--speed' ("),
         (["arch:3"], "error: 'arch:3' is not a command; write demo make arch ("),

@@ -37,6 +37,8 @@ _FEW = 24
 #: How alike a misspelt name is to the one that is meant, as "jbos" and "jobs"; "slides" and "list"
 #: are less so.
 _ALIKE = 0.75
+#: The same for other words, of which there are many.
+_CLOSE = 0.85
 _NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
 _NUMBER = re.compile(r"[+-]?\.?[0-9]")
 
@@ -219,8 +221,10 @@ class Parser(argparse.ArgumentParser):
 
     def _synonym_of_part(self, word: str) -> str:
         """Return the answer to a part of a word, as ``--color-by`` has one."""
+        before = "--" if word.startswith("--") else ""
         parts = re.split("[-_]+", word.strip("-"))
-        answers = (self._synonym(f"--{part}") or self._synonym(part) for part in parts)
+        alike = get_close_matches(word.lower(), self.synonyms, 1, _CLOSE)
+        answers = map(self._synonym, [*(before + part for part in parts), *alike])
         return next(filter(None, answers), "")
 
     def _unknown(self, word: str) -> str:
