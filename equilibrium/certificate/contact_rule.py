@@ -81,7 +81,8 @@ def within_room(room: Any, b: Sequence[int], friction: Fraction, state: State) -
         room: ``a - alpha``, in the unit of b.
         state: of a contact with a round cone.
     """
-    square, size = dot(b, b), 1
+    (x, y), size = b, 1
+    square = x * x + y * y
     if isinstance(state, tuple) and not (turn(state[0], b) >= 0 and turn(b, state[1]) >= 0):
         # The nearer end: the squares compare as the products do, since both ends are in view.
         along = [(dot(end, b), dot(end, end)) for end in state]

@@ -220,18 +220,22 @@ class TreeQuestion:
             is_idle = state == "detached" or (
                 state == "undecided" and bool(springs) and all(e <= 0 for e in springs)
             )
-            if is_idle and multipliers is None:
+            if is_idle and not multipliers:
                 continue
-            a, *b = [dot(row, motion) for row in contact.wrenches]
             alpha, *h = integers_over(multipliers, scale) if multipliers else none
-            if self._round:
-                is_below = within_room(a - alpha * contact.unit, b, contact.friction, state)
-            else:
-                mu, mu_unit = contact.friction.numerator, contact.friction.denominator
-                unit_of_kappa = contact.unit * mu_unit
-                kappa = a * mu_unit - mu * greatest_product(b, with_sign(state, slips), self.edges)
-                is_below = alpha * unit_of_kappa <= kappa
-                factors[i] = None if is_idle else (kappa, scale * unit_of_kappa)
+            # A detached contact does no work, whatever its factor is.
+            is_below = state == "detached"
+            if not is_below:
+                a, *b = [dot(row, motion) for row in contact.wrenches]
+                mu = contact.friction
+                if self._round:
+                    is_below = within_room(a - alpha * contact.unit, b, mu, state)
+                else:
+                    unit_of_kappa = contact.unit * mu.denominator
+                    most = greatest_product(b, with_sign(state, slips), self.edges)
+                    kappa = a * mu.denominator - mu.numerator * most
+                    is_below = alpha * unit_of_kappa <= kappa
+                    factors[i] = None if is_idle else (kappa, scale * unit_of_kappa)
             if multipliers or not region:
                 if broken := broken_multipliers(state, alpha, h, is_below=is_below):
                     values = _numbers(multipliers or none, factors[i])

@@ -9,7 +9,6 @@ needs no program.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -69,22 +68,26 @@ class OpenTree:
 
 
 class _Known:
-    """Leaves in floats, which show at once those that may close a part."""
+    """Leaves in floats, which show at once those that may close a part.
+
+    A set of leaves is an integer whose bits are their numbers.
+    """
 
     def __init__(self, leaves: Leaves) -> None:
         self._cones = leaves.cones
         rows = leaves.contacts.rows
-        m = len(rows)
         self.leaves: list[Leaf] = []
         #: The works of a load are ``motion . w + rest``.
         self._motion, self._rest = np.empty((_FIRST_ROOM, rows.n)), np.empty(_FIRST_ROOM)
         #: Of each contact ``a - alpha``, its error, ``b`` and h, as leaves have them.
         self._slips: list[list[tuple[float, float, list[float], list[float]]]] = []
-        #: By contact and slip, which of them hold there, of those that were compared.
-        self._fitting: dict[tuple[int, Any], dict[int, bool]] = {}
+        #: By contact and slip, which of them do not hold there, and which do, as far as compared.
+        self._fitting: dict[tuple[int, Any], list[int]] = {}
         self._friction = leaves.contacts.friction.tolist()
-        #: For each state of `_PLAIN_STATES` and contact, whether it holds there.
-        self._holds = np.empty((len(_PLAIN_STATES), m, _FIRST_ROOM), np.bool_)
+        #: By state and contact, which of them hold there.
+        self._holding = {state: [0] * len(rows) for state in _PLAIN_STATES}
+        #: The last load, which of the first leaves refute it, and how many were tried.
+        self._refuted: tuple[Floats, int, int] = np.zeros(0), 0, 0
 
     def add(self, leaf: Leaf, leaves: Leaves) -> None:
         """Add one."""
@@ -93,45 +96,57 @@ class _Known:
             for name in ("_motion", "_rest"):
                 old = getattr(self, name)
                 setattr(self, name, np.concatenate([old, old]))
-            self._holds = np.concatenate([self._holds, self._holds], axis=2)
         self.leaves.append(leaf)
         self._motion[n], self._rest[n] = about.motion, about.work
         numbers = about.room, about.error, about.slip, about.h
         self._slips.append(list(zip(*(x.tolist() for x in numbers), strict=True)))
         inside, least = about.room - about.rub >= -about.error, about.alpha >= 0
         moved = ~about.h.any(axis=1)
-        self._holds[:, :, n] = (
-            inside & least & moved,
-            least & moved,
-            inside & moved,
-            inside,
-        )
+        holds = inside & least & moved, least & moved, inside & moved, inside
+        for holding, row in zip(self._holding.values(), holds, strict=True):
+            for i in np.flatnonzero(row).tolist():
+                holding[i] |= 1 << n
 
     def closing(self, states: Node, load: Floats) -> Iterator[Leaf]:
         """Yield leaves that may close a part, for a load."""
-        n = len(self.leaves)
-        plain = [(_PLAIN_STATES.index(s), i) for i, s in enumerate(states) if s in _PLAIN_STATES]
-        near = self._motion[:n] @ load + self._rest[:n] > 0
-        if plain:
-            places: Any = (*zip(*plain, strict=True), slice(n))
-            near &= self._holds[places].all(axis=0)
-        slips = [
-            (i, state, self._fitting.setdefault((i, state), {}))
-            for i, state in enumerate(states)
-            if state not in _PLAIN_STATES
-        ]
-        left = np.flatnonzero(near)[-_MAX_COMPARED_LEAVES:].tolist()
-        fits = (k for k in reversed(left) if all(self._fits(k, *slip) for slip in slips))
-        yield from (self.leaves[k] for k in islice(fits, _MAX_PROPOSED_LEAVES))
+        left, slips = self._refuting(load), []
+        for i, state in enumerate(states):
+            if isinstance(state, str):
+                left &= self._holding[state][i]
+            else:
+                fitting = self._fitting.setdefault((i, state), [0, 0])
+                left &= ~fitting[False]
+                slips.append((i, state, fitting))
+        compared = proposed = 0
+        while left and compared < _MAX_COMPARED_LEAVES and proposed < _MAX_PROPOSED_LEAVES:
+            k = left.bit_length() - 1
+            left ^= 1 << k
+            compared += 1
+            if all(self._fits(k, *slip) for slip in slips):
+                proposed += 1
+                yield self.leaves[k]
 
-    def _fits(self, k: int, i: int, state: Any, known: dict[int, bool]) -> bool:
+    def _refuting(self, load: Floats) -> int:
+        """Return which leaves refute a load, about."""
+        last, refuting, tried = self._refuted
+        if last is not load:
+            refuting, tried = 0, 0
+        n = len(self.leaves)
+        if tried < n:
+            refutes = self._motion[tried:n] @ load + self._rest[tried:n] > 0
+            packed = np.packbits(refutes, bitorder="little").tobytes()
+            refuting |= int.from_bytes(packed, "little") << tried
+            self._refuted = load, refuting, n
+        return refuting
+
+    def _fits(self, k: int, i: int, state: Any, fitting: list[int]) -> bool:
         """Return whether a leaf holds, about, where a contact slips."""
-        fits = known.get(k)
-        if fits is None:
-            inside, size, b, h = self._slips[k][i]
-            fits = inside - self._friction[i] * self._cones.largest(state, b) >= -size
-            fits = fits and all(dot(h, end) <= 0 for end in self._cones.ends(state))
-            known[k] = fits
+        if fitting[True] >> k & 1:
+            return True
+        inside, size, b, h = self._slips[k][i]
+        fits = inside - self._friction[i] * self._cones.largest(state, b) >= -size
+        fits = fits and all(dot(h, end) <= 0 for end in self._cones.ends(state))
+        fitting[fits] |= 1 << k
         return fits
 
 
