@@ -27,11 +27,10 @@ from itertools import chain
 from typing import NamedTuple
 
 from arrangement.numbers.exact import RationalVector, dot
-from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Enclosure
 
-from .law import applied, frame, law_rows
+from .law import LawRow, applied, law_rows
 
 _BITS = 192
 _ONE = 1 << _BITS
@@ -96,9 +95,10 @@ def enclosure_problem(
     grasp: Grasp, wrench: RationalVector, given: Enclosure, max_displacement: Fraction | None = None
 ) -> str:
     """Return why an enclosure shows no equilibrium that counts, or nothing."""
-    felt_contacts, wrench = felt_by(grasp, given.basis), applied(law_rows(grasp), wrench)
+    felt_contacts = felt_by(grasp, given.basis)
+    wrench = applied((felt.contact for felt in felt_contacts), wrench)
     for i, (felt, friction) in enumerate(zip(felt_contacts, given.friction, strict=True)):
-        _, *tangents = felt.wrenches
+        _, *tangents = felt.contact.wrenches
         if friction and any(dot(t, motion) for motion in given.basis for t in tangents):
             return f"contact {i + 1} sticks, and a motion of the basis moves it"
         if friction and dot(friction, friction) > 1:
@@ -137,25 +137,21 @@ def enclosure_problem(
 
 
 class Felt(NamedTuple):
-    """A contact, the wrenches of unit forces on it, and how far these move it with each unknown."""
+    """A contact, and how far each unknown moves it along the wrenches of unit forces."""
 
-    contact: Contact
-    wrenches: tuple[RationalVector, ...]
+    contact: LawRow
     slopes: list[list[Interval]]
 
     @property
     def noticed(self) -> tuple[RationalVector, ...]:
         """The wrenches along which a motion matters: without friction the first alone."""
-        return self.wrenches if self.contact.friction else self.wrenches[:1]
+        wrenches = self.contact.wrenches
+        return wrenches if self.contact.friction else wrenches[:1]
 
 
 def felt_by(grasp: Grasp, basis: Sequence[RationalVector]) -> list[Felt]:
     """Return what each contact feels of a basis of motions."""
-    frames = map(frame, grasp)
-    return [
-        Felt(contact, rows, [_slopes(row, basis) for row in rows])
-        for contact, rows in zip(grasp, frames, strict=True)
-    ]
+    return [Felt(row, [_slopes(x, basis) for x in row.wrenches]) for row in law_rows(grasp)]
 
 
 class BrokenLaw(Exception):
@@ -205,9 +201,7 @@ def _balance(
     """
     zeros = [Interval(0, 0)] * unknowns
     sums = [Linear(interval(w), zeros) for w in wrench]
-    for i, ((contact, rows, slopes), friction) in enumerate(
-        zip(contacts, given.friction, strict=True)
-    ):
+    for i, ((contact, slopes), friction) in enumerate(zip(contacts, given.friction, strict=True)):
         moved = [Linear(product(row, box), row[:unknowns]) for row in slopes]
         if max_displacement is not None:
             most = interval(max_displacement).low
@@ -228,7 +222,7 @@ def _balance(
             forces = _sticking(i, limit, friction, given, box)
         else:
             forces = [limit.times(x).by(-1) for x in unit_slip(i, moved[1:])]
-        for force, row in zip((normal, *forces), rows, strict=True):
+        for force, row in zip((normal, *forces), contact.wrenches, strict=True):
             sums = [one.plus(force.by(x)) if x else one for one, x in zip(sums, row, strict=True)]
     for *motion, x in given.idle:
         slopes_of = _slopes(tuple(motion), given.basis)

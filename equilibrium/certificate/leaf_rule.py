@@ -251,10 +251,9 @@ class TreeQuestion:
             elif kappa < 0:
                 concave = [x + kappa * max(0, e) for x, e in zip(concave, springs, strict=True)]
         sizes, rows = zip(*terms, strict=True)
-        total = [dot(sizes, column) for column in zip(*rows, strict=True)]
-        if region:
-            total = [x + dot(total, g.vector) for x, g in zip(concave, region, strict=True)]
-        return LeafWork("", total, scale * self.unit, factors)
+        linear = [dot(sizes, column) for column in zip(*rows, strict=True)]
+        total = [x + dot(linear, g.vector) for x, g in zip(concave, region, strict=True)]
+        return LeafWork("", total or linear, scale * self.unit, factors)
 
     def _pushes(
         self, contact: _IntegerContact, factors: Sequence[int]

@@ -132,7 +132,9 @@ class Leaves:
         self._steps = [int(x) for x in contacts.arms(max(1.0, 1 / arm), max(1.0, arm)).tolist()]
         self._sizes = contacts.arms(contacts.length)
         self._frames = np.concatenate([contacts.tangents, contacts.normal[:, None]], axis=1)
-        self._frame_sizes = np.abs(self._frames)
+        # No entry of a normal force's wrench is larger, with friction in any direction.
+        sizes, rub = np.abs(self._frames), contacts.friction[:, None]
+        self._reach = sizes[:, -1] + rub * sizes[:, :-1].sum(axis=1)
         self._frictions = contacts.friction.tolist()
         # Bounds hold where nothing overflows or underflows on the way.
         self._error = SUM_ERROR if contacts.moderate else math.inf
@@ -147,9 +149,10 @@ class Leaves:
         for fine, nothing in _ROUNDINGS:
             if kept is None or not np.array_equal(kept, ray.sizes > nothing):
                 kept = ray.sizes > nothing
-                order = np.argsort(-ray.room[kept], kind="stable")
-                places = np.argwhere(kept)[order].tolist()
-                listed = ray.multipliers[kept][order].tolist()
+                flat = np.flatnonzero(kept)
+                flat = flat[np.argsort(-ray.room.ravel()[flat], kind="stable")]
+                listed = ray.multipliers.ravel()[flat].tolist()
+                places = [divmod(k, 2 * size) for k in flat.tolist()]
                 columns = [self.each[i].columns[j] for i, j in places]
                 factors = [self.each[i].factors[j] for i, j in places]
                 pinned = self._pinned(states, ray, kept, nothing)
@@ -260,14 +263,13 @@ class Leaves:
         for i, row in leaf.multipliers.items():
             rows[i] = [ratio(x, unit) if x else 0.0 for x in row]
         alpha, moved = rows[:, 0], self._frames @ motion
-        sizes, slip = self._frame_sizes @ np.abs(motion), moved[:, :-1]
-        rubs = c.friction * sizes[:, :-1].sum(axis=1)
+        slip = moved[:, :-1]
         return FloatLeaf(
             motion,
             work + float(alpha @ c.preload),
             moved[:, -1] - alpha,
             c.friction * self.cones.support(slip),
-            self._error * (sizes[:, -1] + np.abs(alpha) + rubs),
+            self._error * (self._reach @ np.abs(motion) + np.abs(alpha)),
             alpha,
             rows[:, 1:],
             slip,

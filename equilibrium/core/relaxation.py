@@ -55,6 +55,8 @@ _LIFT_WEIGHT = 3.0
 _MAX_GRASP = 6
 #: Programs of unlike shapes that are kept to be changed in place, each of some 100 kB.
 _MAX_LAYOUTS = 256
+#: Shapes of programs that all grasps share, each of some 5 kB.
+_MAX_SHARED_LAYOUTS = 1024
 #: Rows of contacts in states that are kept, each of some 3 kB.
 _MAX_BLOCKS = 4096
 _CLARABEL_CONES = {
@@ -186,7 +188,7 @@ class _ConeLayout:
         self.solver: Any = None
 
 
-_cone_layout = lru_cache(_MAX_LAYOUTS)(_ConeLayout)
+_cone_layout = lru_cache(_MAX_SHARED_LAYOUTS)(_ConeLayout)
 
 
 class _ConeProgram(NamedTuple):
