@@ -208,7 +208,7 @@ def test_a_path_that_is_not_there_is_found():
 def test_readme_is_true():
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     pictures = re.findall(r'(?:src|srcset)="([^"]+)"', text)
-    assert len(pictures) == 2
+    assert len(pictures) == 4  # light and dark, wide and narrow
     assert all((ROOT / picture).is_file() for picture in pictures)
     results = []
     for claim in (claim for claim in registry() if not claim.large):
