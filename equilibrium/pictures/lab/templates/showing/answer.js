@@ -95,7 +95,7 @@ function describeProof(box) {
   }
   const leaves = leavesOf(state.found.tree);
   make("p", {}, box, leaves.length === 1
-    ? "On one virtual motion the load does more work than the contacts can ever take away, whatever their states."
+    ? "On one virtual motion the load does more work than the contacts can absorb in any state."
     : "Contacts are told apart by their states; in each case a virtual motion shows that no forces balance the load.");
   const tree = make("div", { class: "proof" }, box);
   if (leaves.length > 1) branch(tree, state.found.tree, leaves, 0);

@@ -81,7 +81,7 @@ const GOALS = {
   async refutes(_, { grasp, wrench, motion }) {
     if (!motion) return { solved: false, words: "Choose a motion." };
     const words = refutationBy(motion, grasp, wrench);
-    return { value: true, solved: !words, words: words || "On this motion the load works more than all contacts can take away." };
+    return { value: true, solved: !words, words: words || "On this motion the load does more work than the contacts can absorb." };
   },
   async regions(wanted, { grasp }) {
     const { regions } = countsOf(slipPlanes(grasp));
