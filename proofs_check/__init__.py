@@ -33,6 +33,7 @@ from arrangement.console.plugins import lazy_names
 _SYNONYMS = {
     "Exercise": "exercise",
     "check": "evaluate(claim)",
+    **dict.fromkeys(("all_claims", "claims", "get_claims", "paper_claims"), "registry()"),
     "extreme": "from proofs_check.own_claims.extreme import extremes; "
     "extremes(quantity, of, low, high)",
     "list_claims": "list(registry())",

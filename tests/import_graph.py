@@ -50,7 +50,7 @@ class ImportGraph:
 
     def _target(self, place: str, name: str) -> str:
         inside = f"{place}.{name}"
-        return inside if inside in self._paths else self._places.get((place, name), place)
+        return self._places.get((place, name), inside if inside in self._paths else place)
 
 
 def circles(pairs: Iterable[Arrow]) -> list[set[str]]:

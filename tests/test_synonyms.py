@@ -8,6 +8,8 @@ import json
 import math
 import pickle
 import re
+import subprocess
+import sys
 from dataclasses import FrozenInstanceError
 from importlib import import_module
 from importlib.resources import files
@@ -134,6 +136,8 @@ def test_names_of_segments_and_packages_run(owner, table, tmp_path, monkeypatch)
     Path("arch.json").write_text(json.dumps(equilibrium.Assembly(["block"]).to_dict()))
     path = {arrangement: "lines.json", proofs_check: str(EXAMPLE)}.get(owner, "grasp.json")
     sources = {"source": solve(GRASP, LOAD).certificate}
+    if owner is proofs_check:  # a package of the same name is there once it has been imported
+        monkeypatch.delattr(proofs_check, "claims", raising=False)
     for word, use in table.items():
         with pytest.raises(AttributeError) as error:
             getattr(owner, word)
@@ -160,6 +164,42 @@ def test_import_of_another_name_is_answered():
 
     assert cli.__name__ == "arrangement.cli"
     assert not hasattr(arrangement, "diagonals")
+
+
+#: Tables of hints; names in them such as arrangement.families are imported as they stand.
+TABLES = [
+    *synonyms.ARRANGEMENT.values(),
+    synonyms.PACKAGE,
+    equilibrium._SYNONYMS,
+    proofs_check._SYNONYMS,
+    Grasp._synonyms,
+]
+
+
+def test_packages_that_hints_name_are_modules():
+    text = " ".join(use for table in TABLES for use in table.values())
+    named = set(re.findall(r"((?:arrangement|equilibrium)\.(?:[a-z]+))\.", text))
+    assert "arrangement.families" in named
+    for place in named | {"arrangement.census", "equilibrium.inputs"}:
+        package, _, name = place.partition(".")
+        assert import_module(place) is getattr(import_module(package), name)
+
+
+def test_public_packages_load_late():
+    program = "import sys, arrangement, equilibrium; print(*sys.modules)"
+    command = [sys.executable, "-c", program]
+    loaded = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
+    late = {"arrangement.library.families", "arrangement.library.census", "equilibrium.inputs"}
+    assert "equilibrium" in loaded
+    assert not late & set(loaded)
+
+
+def test_claim_as_text_is_answered():
+    with pytest.raises(proofs_check.ClaimError, match="claim is 'm > 2'; expected a Cl") as error:
+        proofs_check.evaluate("m > 2")
+    expression, place = re.findall(r"write (evaluate.*?), from ([\w.]+),", str(error.value))[0]
+    made = import_module(place).one_line_claim
+    run(expression, evaluate=proofs_check.evaluate, one_line_claim=made, TEXT="m > 2")
 
 
 def test_another_word_for_an_argument_is_answered():
@@ -211,7 +251,7 @@ def test_one_name_means_one_thing():
     ("name", "use"),
     [
         ("num_regions", "A.region_count()"),
-        ("number_of_bounded_regions", "A.bounded_region_count()"),
+        ("number_of_bounded_regions", "A.bounded_region_count(relative=True)"),
         ("nb_hyperplanes", "len(A)"),
         ("get_rank", "rank"),
         ("compute_regions", "regions"),

@@ -15,6 +15,7 @@ from typing import Any
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.numbers import budget
+from arrangement.numbers.exact import shown
 from proofs_check.errors import OwnClaimError
 
 from .statement import Case, Claim, ClaimVerdict, Kind, Route, Strength
@@ -237,7 +238,16 @@ def evaluate(claim: Claim, seed: int = 0, progress: Callable[[int], None] | None
         claim: what is checked.
         seed: of the random instances.
         progress: called with the number of cases so far.
+
+    Raises:
+        OwnClaimError: what is not a claim.
     """
+    if not isinstance(claim, Claim):
+        raise OwnClaimError(
+            f"the claim is {shown(claim)}; expected a Claim, such as registry()[ID] or a function "
+            "under @claim(TEXT). For a text write evaluate(one_line_claim(TEXT)), from "
+            "proofs_check.own_claims.one_line, or in a shell: proofs-check try TEXT"
+        )
     if claim.large and budget.times() < math.inf:
         with budget.limit(math.inf):
             return evaluate(claim, seed, progress)
