@@ -46,6 +46,8 @@ _CUTS_BEFORE_STATES = 12
 _CUTS_BETWEEN = 4
 #: where no more than this part of its works is missing.
 _NEAR = 0.01
+#: and no more contacts than this are open, since its time grows as their third power.
+_MAX_OPEN = 32
 #: Up to so many contacts, and all with huge or tiny numbers, which floats cannot guide, are tried
 #: by states as a whole.
 _MAX_CONTACTS_WHOLE = 6
@@ -223,7 +225,8 @@ class MotionRegions:
         # Near the boundary floats cannot distinguish 0 from what is enough.
         hopeful = np.flatnonzero(values > -_TOLERANCE).tolist()
         factors = np.zeros(floats.open.shape)
-        for n in np.flatnonzero((values <= -_TOLERANCE) & (values > -_NEAR * floats.size)).tolist():
+        near = (values <= -_TOLERANCE) & (values > -_NEAR * floats.size)
+        for n in np.flatnonzero(near & (floats.open.sum(axis=1) <= _MAX_OPEN)).tolist():
             if regions[n].depth > 0 and not regions[n].depth % _CUTS_BETWEEN and n not in done:
                 guess = self.virtual.multiplied(floats, n)
                 if guess is not None:
