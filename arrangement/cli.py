@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from importlib import import_module
+from shlex import quote
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import vector
@@ -73,19 +74,19 @@ _SYNONYMS = {
     "boolean": "arrangement make coordinate --d 3 -o FILE.json",
     **dict.fromkeys(("explain", "describe"), "arrangement count FILE"),
     **dict.fromkeys(
-        (
-            "demo",
-            "exercise",
-            "exercises",
-            "homework",
-            "lesson",
-            "lessons",
-            "play",
-            "quiz",
-            "tutorial",
-        ),
+        ("demo", "interactive", "lesson", "lessons", "play", "slides", "tutorial"),
         "arrangement lab -o LAB.html",
     ),
+    **dict.fromkeys(
+        ("exercise", "exercises", "homework", "quiz", "--solutions", "--level"),
+        "arrangement lab -o LAB.html, a page with exercises, which proofs-check grade "
+        "arrangement-lab lists",
+    ),
+    **dict.fromkeys(
+        ("animate", "animation", "movie", "video"), "arrangement draw FILE -o FILM.gif"
+    ),
+    **dict.fromkeys(("--seed", "--count"), "arrangement make random-integer --m 5 --d 2 --seed 1"),
+    "report": "arrangement draw FILE -o PAGE.html",
     "tutte": "in Python arrangement.counts.tutte_polynomial(A)",
     "matroid": "in Python arrangement.counts.bases(A)",
     "zonotope": "arrangement draw FILE --view dual -o DUAL.svg",
@@ -95,13 +96,12 @@ _SYNONYMS = {
     "isomorphic": "arrangement identify FILE",
     "random": "arrangement make random-integer --m 5 --d 2 -o FILE.json",
     **dict.fromkeys(("new", "create", "generate", "read"), "arrangement count 'x = 0; x + y = 1'"),
-    **dict.fromkeys(("examples", "names"), "arrangement list"),
+    **dict.fromkeys(("example", "examples", "names"), "arrangement list"),
     "import": "arrangement convert FILE --from FORMAT --number K, or arrangement list FILE",
     "export": "arrangement convert FILE -o PATH",
     **dict.fromkeys(("verify", "check"), "proofs-check run CLAIM"),
     **dict.fromkeys(("plot", "show", "picture", "render"), "arrangement draw FILE -o FIGURE.svg"),
     "figure": "arrangement draw FILE -o FIGURE.svg",
-    "slides": "arrangement lab -o LAB.html; slides are in the folder docs/slides",
     "--stones": "equilibrium make arch --voussoirs N -o ARCH.json",
     **dict.fromkeys(("--diagonals", "--chords"), "arrangement make diagonals --n 6 -o FILE.json"),
     "--normals": "arrangement count '[[1, 0], [0, 1]]'",
@@ -518,6 +518,7 @@ def _identify(arguments: argparse.Namespace) -> int:
 
 
 def _draw(arguments: argparse.Namespace) -> int:
+    from .console.progress import note
     from .drawing.command import given_options, write
     from .library.files.table import read_figure
     from .pictures.looks import read_names
@@ -528,7 +529,12 @@ def _draw(arguments: argparse.Namespace) -> int:
     if arguments.names is not None:
         figure, arguments.names = figure.named(read_names(arguments.names)), None
     drawings = SEGMENTS if isinstance(figure, Segments) else DRAWINGS.of(figure)
-    return write(arguments, drawings, figure, given_options(arguments, drawings, DRAWINGS))
+    code = write(arguments, drawings, figure, given_options(arguments, drawings, DRAWINGS))
+    is_plane = not isinstance(figure, Segments) and figure.dimension == 2
+    if is_plane and drawings.target(arguments.output, arguments.view)[0] == "page":
+        lab = f"arrangement lab {quote(arguments.file)} -o {quote(arguments.output)}"
+        note(f"the page shows the cells as prisms, in space; {lab!r} writes a page of lines")
+    return code
 
 
 def _lab(arguments: argparse.Namespace) -> int:

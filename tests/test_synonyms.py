@@ -8,6 +8,7 @@ import json
 import math
 import pickle
 import re
+import shlex
 import subprocess
 import sys
 from dataclasses import FrozenInstanceError
@@ -24,6 +25,7 @@ import arrangement
 import equilibrium
 import proofs_check
 from arrangement import Arrangement, Segments, families, synonyms
+from arrangement.cli import main as arrangement_main
 from arrangement.errors import HintsMixin
 from arrangement.library.families import FAMILIES
 from equilibrium import Contact, Grasp, ResistedSet, read_grasp, solve
@@ -309,6 +311,43 @@ def test_words_for_commands_name_what_there_is(program):
                 assert {x for x in words if x[0] == "-"} <= options, f"{word}: {use}"
             else:
                 assert set(re.findall(r"(?<!\S)--?\w[\w-]*", text)) <= every, f"{word}: {use}"
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_families_in_words_are_answered_with_commands_that_run(name, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    numbers = {"regular": "6", "simplicial": "6, 1"}.get(name, "4")
+    refused, made, then = written_for(["faces", f"{name}({numbers})"], capsys)
+    assert refused.startswith(f"error: '{name}(")
+    then = then.replace("faces", "identify")
+    if not re.search("[A-Z],?[A-Z]", made.replace("FILE", "")):  # such as EDGES
+        assert arrangement_main(shlex.split(made)[1:]) == 0
+        assert arrangement_main(shlex.split(then)[1:]) == 0
+
+
+def written_for(words, capsys):
+    """Return an error of the program arrangement with the two commands that it names."""
+    with pytest.raises(SystemExit):
+        arrangement_main(words)
+    refused = capsys.readouterr().err
+    made, then = re.findall("'(arrangement [^']*)'", refused)
+    return refused, made, then
+
+
+@pytest.mark.parametrize(
+    ("words", "made", "then"),
+    [
+        ("count shi 3", "make shi --type 3", "count FILE.json"),
+        ("charpoly shi 3", "make shi --type 3", "count FILE.json"),
+        ("count braid(5)", "make braid --n 5", "count FILE.json"),
+        ("faces generic(5,2) --bounded", "make generic --m 5 --d 2", "faces FILE.json --bounded"),
+        ("draw braid 3 -o b.svg", "make braid --n 3", "draw FILE.json -o b.svg"),
+        ("draw braid", "make braid --n 3", "draw FILE.json -o PATH"),
+    ],
+)
+def test_families_in_place_of_files_are_answered(words, made, then, capsys):
+    expected = [f"arrangement {made} -o FILE.json", f"arrangement {then}"]
+    assert list(written_for(words.split(), capsys)[1:]) == expected
 
 
 GRASP, LOAD = read_grasp("paper-four-contacts-preload-1"), [0, "1/2", 0]

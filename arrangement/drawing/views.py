@@ -561,8 +561,12 @@ class Drawings:
         check_synonyms(options, known)
         for option in options:
             if option not in known:
-                having = [x for x in self.entries(kind) if option in self.options(kind, x)]
-                others = f" ({kind}s with it: {', '.join(having)})" if having else ""
+                having = {
+                    other: [x for x in self.entries(other) if option in self.options(other, x)]
+                    for other in (kind, *KINDS)
+                }
+                other = next(filter(having.get, having), "")
+                others = f" ({other}s with it: {', '.join(having[other])})" if other else ""
                 mistake = f"the {kind} {name} has no option {shown(option)}{others}"
                 raise refusal(mistake, option, known, "it has")
         for needed in known.values():

@@ -11,58 +11,82 @@ from arrangement.console.options.parser import Parser
 from . import draw, info, inputs, resisted, solve, verify
 from .arguments import add_command, built_in
 
+_QUESTION = "GRASP --wrench F_X F_Y TAU"
 #: Other words for commands and options, with what to write.
 _SYNONYMS = {
-    **dict.fromkeys(("example", "examples"), "equilibrium list, which has the built-in grasps"),
+    **dict.fromkeys(("example", "examples", "names"), "equilibrium list"),
     **dict.fromkeys(
-        ("lesson", "lessons"), "equilibrium lab -o LAB.html; lessons are in the folder docs/lessons"
+        ("demo", "interactive", "lesson", "lessons", "play", "slides", "tutorial"),
+        "equilibrium lab -o LAB.html",
     ),
-    "slides": "equilibrium lab -o LAB.html; slides are in the folder docs/slides",
-    **dict.fromkeys(("demo", "play"), "equilibrium lab -o LAB.html"),
     **dict.fromkeys(
-        ("exercise", "exercises", "quiz", "homework"),
-        "equilibrium lab -o LAB.html; proofs-check grade slip-lab has its exercises",
+        ("exercise", "exercises", "quiz", "homework", "--solutions", "--level"),
+        "equilibrium lab -o LAB.html, a page with exercises, which proofs-check grade slip-lab "
+        "lists",
     ),
-    **dict.fromkeys(("explain", "report"), "equilibrium info GRASP LOAD -o PAGE.html"),
+    **dict.fromkeys(
+        ("animate", "animation", "movie", "video", "film", "simulate"),
+        "equilibrium lab -o LAB.html, where contacts and load are dragged, or of a grasp in space "
+        "equilibrium draw GRASP -o FILM.gif",
+    ),
+    **dict.fromkeys(
+        ("mesh", "stl"), "equilibrium make mesh FILE --friction 1/2 --at X Y Z -o GRASP.json"
+    ),
+    **dict.fromkeys(
+        ("import", "load-mesh", "read", "new", "create"),
+        "equilibrium make mesh FILE --friction 1/2 --random 4 -o GRASP.json, or of a table of "
+        "contacts equilibrium make csv FILE -o GRASP.json",
+    ),
+    "generate": "equilibrium make random --contacts 3 -o GRASP.json",
+    "--count": "--random N",
+    **dict.fromkeys(("explain", "report"), f"equilibrium info {_QUESTION} -o PAGE.html"),
     **dict.fromkeys(
         ("analyse", "analyze", "decide", "forces", "holds", "run", "stable", "test", "equilibrium"),
-        "equilibrium solve GRASP --wrench F_X F_Y TAU",
+        f"equilibrium solve {_QUESTION}",
     ),
-    **dict.fromkeys(("friction", "min-friction"), "equilibrium resisted GRASP LOAD --friction 1 2"),
+    **dict.fromkeys(
+        ("friction", "min-friction"),
+        f"equilibrium resisted {_QUESTION} --friction 1 2",
+    ),
     **dict.fromkeys(
         ("--friction", "--mu"),
-        "equilibrium resisted GRASP LOAD --friction 1 2, for the least that holds; or write the "
-        "friction of contacts into their file",
+        f"equilibrium resisted {_QUESTION} --friction 1 2, for the least that holds; or "
+        "write the friction of contacts into their file",
     ),
     **dict.fromkeys(
         (
             *("range", "tilt", "angle", "sweep", "--param", "--range", "--solve-for", "--sweep"),
             *("--for", "--unknown", "--values", "--variable", "--vary"),
         ),
-        "equilibrium resisted GRASP LOAD --parameter t=0..1, with the letter t in the file",
+        f"equilibrium resisted {_QUESTION} --parameter t=0..1, with the letter t in the file",
     ),
-    "sensitivity": "equilibrium solve GRASP LOAD --robust length=1/100 friction=5%",
+    "sensitivity": f"equilibrium solve {_QUESTION} --robust length=1/100 friction=5%",
     "--uncertainty": "--robust length=1/100 friction=5%",
-    "monte-carlo": "equilibrium solve GRASP LOAD --robust length=1/100 friction=5%",
-    "limit": "equilibrium resisted GRASP LOAD, or equilibrium resisted GRASP --smallest",
+    "monte-carlo": f"equilibrium solve {_QUESTION} --robust length=1/100 friction=5%",
+    "limit": f"equilibrium resisted {_QUESTION}, or equilibrium resisted GRASP --smallest",
     **dict.fromkeys(
         ("limits", "max-load", "max", "stability", "load", "range-of-loads"),
-        "equilibrium resisted GRASP --wrench F_X F_Y TAU",
+        f"equilibrium resisted {_QUESTION}",
     ),
-    **dict.fromkeys(("margin", "safety"), "equilibrium resisted GRASP LOAD --margin"),
-    "region": "equilibrium resisted GRASP --slice U V",
+    **dict.fromkeys(("margin", "safety"), f"equilibrium resisted {_QUESTION} --margin"),
+    **dict.fromkeys(
+        ("region", "regions", "resisted-region", "wrench-set"),
+        "equilibrium draw GRASP --view resist -o REGION.svg, or for its vertices equilibrium "
+        "resisted GRASP --slice fx fy",
+    ),
     "polyhedra": "equilibrium resisted GRASP",
     "map": "equilibrium resisted GRASP --search",
-    "compare": "equilibrium solve GRASP LOAD --methods",
+    "compare": f"equilibrium solve {_QUESTION} --methods",
     **dict.fromkeys(
         ("wrench-space", "force-closure", "gws", "quality", "epsilon", "closure"),
         "equilibrium info GRASP --force-closure",
     ),
     "modes": "equilibrium info GRASP --modes",
-    **dict.fromkeys(("plot", "show", "figure"), "equilibrium draw GRASP LOAD -o FIGURE.svg"),
+    **dict.fromkeys(("plot", "show", "figure"), f"equilibrium draw {_QUESTION} -o FIGURE.svg"),
     "export": "equilibrium draw GRASP --model scene -o FILE.xml",
     **dict.fromkeys(
-        ("certify", "prove", "certificate"), "equilibrium solve GRASP LOAD --certificate OUT.json"
+        ("certify", "prove", "certificate"),
+        f"equilibrium solve {_QUESTION} --certificate OUT.json",
     ),
     **dict.fromkeys(
         ("--angle", "--tilt"),
@@ -73,8 +97,8 @@ _SYNONYMS = {
     **dict.fromkeys(("--gravity", "--mass", "--g"), "--weight W, mass times gravity"),
     "--load": "--wrench F_X F_Y TAU, of an assembly --on BODY F_X F_Y TAU",
     "--max": "--margin",
-    "--plot": "equilibrium draw GRASP LOAD -o PATH",
-    "check": "equilibrium verify CERTIFICATE, or equilibrium solve GRASP LOAD",
+    "--plot": f"equilibrium draw {_QUESTION} -o PATH",
+    "check": f"equilibrium verify CERTIFICATE, or equilibrium solve {_QUESTION}",
     "convert": "equilibrium make",
     **dict.fromkeys(("--any-direction", "--all-directions"), "--smallest"),
     "--direction": "--wrench F_X F_Y TAU",

@@ -48,6 +48,8 @@ def add_command_resisted(commands: Any) -> None:
     text = "the magnitudes of this wrench on one body that are resisted besides those of its file"
     add_on_body(forms, "--along", text)
     add_on_body(parser)
+    draw = "equilibrium draw GRASP --view resist -o REGION.svg"
+    parser.synonyms = {**parser.synonyms, "-o": draw, "--output": draw}
     parser.description += " In space: along a load only, without --margin."
     text = "planar grasps: find the smallest wrench that is not resisted, in any direction"
     forms.add_argument("--smallest", action="store_true", help=text)

@@ -154,14 +154,14 @@ def _many(arguments: argparse.Namespace) -> int:
     budget.allow(math.inf)  # it reports its progress
     checked = check_as_written(many.source, many.loads, jobs=arguments.jobs, dask=arguments.dask)
     if arguments.output is not None:
-        tables.write_answers(arguments.output, many.names, checked)
+        tables.write_answers(arguments.output, many, checked)
     yes = None if checked.undecided.any() else True
     if (checked.asked & ~checked.resisted & ~checked.undecided).any():
         yes = False
     document: dict[str, Any] = {"grasps": many.names} | tables.answers_lists(checked)
     document |= {"as_rounded": True} if many.rounded else {}
-    lines = tables.answers_csv(many.names, checked).splitlines()
-    return show(arguments, document, [repr(checked)[1:-1]] if arguments.output else lines, yes)
+    lines = tables.answers_csv(many, checked).splitlines()
+    return show(arguments, document, [checked.summary] if arguments.output else lines, yes)
 
 
 def _has_many(path: str) -> bool:

@@ -81,7 +81,10 @@ def draw_grasp(
         solid, note = solved_in_space(grasp, wrench, max_displacement)
         return drawn_in_space(solid, camera, azimuth, width, note)
     if camera is not None or azimuth:
-        raise GraspError("camera, azimuth, .gif and .mp4 are for grasps in space; leave them out")
+        raise GraspError(
+            "the grasp is in the plane; camera, azimuth, .gif and .mp4 are for grasps in space. "
+            "Write -o FIGURE.svg, or see `equilibrium lab -o LAB.html`"
+        )
     if wrench is None and equilibrium != 1:
         raise GraspError("without a wrench nothing is solved; give one with the equilibrium")
     solver = Solver(grasp, max_displacement)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arrangement.console.number_form import bracket, counted, number, vector
 from arrangement.numbers.exact import RationalVector, dot, number_text
+from arrangement.numbers.functions import Span
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.decide import undecided
 from equilibrium.decide.assemblies.ends import Giving, listed_contacts
@@ -31,7 +32,6 @@ from .slice import Region, polygon_cycle
 from .sufficient_friction import SufficientFriction
 
 if TYPE_CHECKING:
-    from arrangement.numbers.functions import Span
     from equilibrium.model.assembly import Assembly
     from equilibrium.model.grasp import Grasp
 
@@ -341,9 +341,32 @@ def _search_lines(searched: SearchMap, unit: str) -> Iterator[str]:
 def _friction_lines(answer: SufficientFriction, unit: str) -> Iterator[str]:
     least = _friction(answer.low, answer.high)
     yield f"least friction of {listed_contacts(answer.contacts)}: {least}"
-    if answer.from_1 is not None:
-        yield "no friction up to 1 is proved to be enough; above 1 it is 1/f with f below 1:"
-    yield from _values_lines(answer.values, unit)
+    above = answer.from_1
+    if above is None:
+        yield from _values_lines(answer.up_to_1, unit)
+        return
+    yield "no friction f up to 1 is proved to be enough"
+    for verdict, spans in (("resisted", above.resisted), ("not resisted", above.not_resisted)):
+        for span in reversed(spans):
+            yield f"{verdict} for {_inverse_text(span)}"
+        if not spans:
+            yield f"no f above 1 is proved to be {verdict}"
+    for gap in reversed(above.gaps):
+        yield f"undecided for {_inverse_text(Span(*gap, has_low=False, has_high=False))}"
+    for end in above.ends:
+        if end.gives:
+            yield f"  in all equilibria at f = {number(1 / end.value)}: {end.gives.words}"
+    yield _proof_count(above)
+
+
+def _inverse_text(span: Span) -> str:
+    """Return the values f of which 1/f is in an interval, as inequalities; 1/f = 0 is none."""
+    low, high = "<=" if span.has_high else "<", "<=" if span.has_low else "<"
+    if not span.low:
+        return f"f {'>=' if span.has_high else '>'} {number(1 / span.high)}"
+    if span.low == span.high:
+        return f"f = {number(1 / span.low)}"
+    return f"{number(1 / span.high)} {low} f {high} {number(1 / span.low)}"
 
 
 def _values_lines(answer: ResistedValues, _: str) -> Iterator[str]:
@@ -366,8 +389,12 @@ def _values_lines(answer: ResistedValues, _: str) -> Iterator[str]:
             yield f"  in all equilibria at {_letter_text(answer, end.value)}: {end.gives.words}"
     if answer.family.is_angle:
         yield f"degrees are rounded; certificates are about tan({answer.family.letter}/2)"
+    yield _proof_count(answer)
+
+
+def _proof_count(answer: ResistedValues) -> str:
     proofs = counted(len(answer.pieces), "certificate")
-    yield f"{proofs}, each for all values of an interval; --json has them for `equilibrium verify`"
+    return f"{proofs}, each for all values of an interval; --json has them for `equilibrium verify`"
 
 
 #: How the lines of a result are written, with the unit of forces, and whether it says yes.

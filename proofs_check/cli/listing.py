@@ -5,7 +5,9 @@ from __future__ import annotations
 import argparse
 import shlex
 import shutil
+import sys
 import textwrap
+from collections.abc import Sequence
 from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -25,8 +27,8 @@ def list_claims(arguments: argparse.Namespace) -> int:
     if arguments.source is None and not arguments.json:
         entries = claims.entries().items()
         words = ((id, entry["locator"], entry["statement"]) for id, (_, entry) in entries)
-        rows = [tuple(map(claims.plain, row)) for row in words]
-        print("\n".join(text.table(rows, width())))
+        rows: list[Sequence[str]] = [tuple(map(claims.plain, row)) for row in words]
+        _print_table(rows)
         return terminal.YES
     # What loads the claims of the paper takes longer.
     from proofs_check.own_claims import claim_file
@@ -45,8 +47,13 @@ def list_claims(arguments: argparse.Namespace) -> int:
         terminal.print_json({"claims": [report.claim_record(claim) for claim in known]})
     else:
         rows = [(claim.id, claim.locator, claim.statement) for claim in known]
-        print("\n".join(text.table(rows, width())))
+        _print_table(rows)
     return terminal.YES
+
+
+def _print_table(rows: Sequence[Sequence[str]]) -> None:
+    """Print claims, in a pipe a line each."""
+    print("\n".join(text.table(rows, width() if sys.stdout.isatty() else sys.maxsize)))
 
 
 def _description(claim: Claim, width: int) -> str:

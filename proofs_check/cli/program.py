@@ -15,24 +15,29 @@ from arrangement.console.options.parser import Parser
 _SYNONYMS = {
     **dict.fromkeys(
         ("check", "verify", "prove", "test"),
-        "proofs-check run CLAIM, or equilibrium verify CERT.json for a certificate",
+        "proofs-check run CLAIM, for all proofs-check run, or equilibrium verify CERT.json for a "
+        "certificate",
     ),
     **dict.fromkeys(
         ("refuted", "false", "--refuted", "--false", "--failed"), "proofs-check run | grep refuted"
     ),
     "proved": "proofs-check run | grep proved",
-    **dict.fromkeys(("show", "explain", "info", "describe", "evidence"), "proofs-check list ID"),
+    **dict.fromkeys(
+        ("show", "explain", "info", "describe", "evidence"),
+        "proofs-check list ID, of those that proofs-check list has",
+    ),
     **dict.fromkeys(("html", "pdf"), "proofs-check run -o REPORT.html"),
-    "lab": "arrangement lab -o LAB.html, or equilibrium lab -o LAB.html",
     **dict.fromkeys(("claims", "--list"), "proofs-check list"),
     "compare": "proofs-check run ID, which compares two computations",
     **dict.fromkeys(("summary", "all", "verdicts", "--all"), "proofs-check run"),
     **dict.fromkeys(("counterexample", "counterexamples"), "proofs-check run ID --save FOLDER"),
-    **dict.fromkeys(("homework", "exercise", "exercises"), "proofs-check grade FILE.py"),
+    **dict.fromkeys(("homework", "exercise", "exercises"), "proofs-check grade arrangement-lab"),
     **dict.fromkeys(
-        ("lesson", "lessons", "slides"),
-        "arrangement lab -o LAB.html; lessons and slides are in the folder docs",
+        ("demo", "lab", "lesson", "lessons", "play", "quiz", "slides", "tutorial"),
+        "arrangement lab -o LAB.html, or equilibrium lab -o LAB.html",
     ),
+    **dict.fromkeys(("example", "examples"), "proofs-check new NAME --example triangles"),
+    **dict.fromkeys(("reproduce", "figures", "tables"), "proofs-check paper -o FOLDER"),
     **dict.fromkeys(("--claim", "--id", "--only"), "proofs-check run ID"),
     **dict.fromkeys(("--html", "--report"), "--output FILE.html"),
     "--max": "--classes",
@@ -46,7 +51,10 @@ _SYNONYMS = {
     "--types": "--classes",
     "--planes": "--elements",
     "--lines": "--classes",
-    **dict.fromkeys(("--dim", "--d", "--dimension", "-d"), '--of "affine(d=3)"'),
+    **dict.fromkeys(
+        ("--dim", "--d", "--dimension", "-d"),
+        '--of lines for lines of the plane, --of "affine(d=3)" for planes of R^3',
+    ),
     "--central": "--of central",
     "--n": "--samples N",
     **dict.fromkeys(("--coq", "--formal", "--proved"), "--verified"),
@@ -156,7 +164,8 @@ def _parser() -> Parser:
     report.add_argument(
         "source",
         metavar="FILE",
-        help="FILE.py, a store of a sweep, or FILE.json of run (the paper's claims: run -o FILE)",
+        help="FILE.py, a store of a sweep, or FILE.json of run "
+        "(the paper's claims: proofs-check run -o FILE.html)",
     )
     _add_output(report, remark="(default: Markdown on stdout)")
     report.add_argument(

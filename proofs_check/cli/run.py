@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from arrangement.console import terminal, workers
-from arrangement.console.progress import Bar, shown
+from arrangement.console.progress import Bar, note, shown
 from arrangement.console.safe_text import safe_lines
 from arrangement.console.writing import make_folder, write_text_atomically
 from arrangement.errors import InputError
@@ -22,6 +22,7 @@ from proofs_check import claims
 from proofs_check.course.printed_table import Row, check_table, value_text
 from proofs_check.errors import OwnClaimError
 from proofs_check.own_claims import claim_file, one_line, user_claim
+from proofs_check.own_claims.quantities import MAPPINGS, TRUTH_VALUES
 from proofs_check.own_claims.user_claim import DEFAULT_DOMAIN
 from proofs_check.reports import forms, report, text
 from proofs_check.statements.evidence import evaluate
@@ -69,10 +70,24 @@ def run_claims(arguments: argparse.Namespace) -> int:
 def try_claim(arguments: argparse.Namespace) -> int:
     """Check a claim in one line; where no domain is named and it is refuted, on lines as well."""
     statement, when, of = arguments.statement, arguments.when, arguments.of
-    claim = one_line.one_line_claim(statement, of=of or DEFAULT_DOMAIN, when=when)
+    nonzero: dict[str, bool] = {}
+    claim = one_line.one_line_claim(statement, of=of or DEFAULT_DOMAIN, when=when, nonzero=nonzero)
     lines = None if of else one_line.one_line_claim(statement, of="lines", when=when)
     words = [statement, *(["--of", of] if of else []), *(["--when", when] if when else [])]
-    return _run(_request(words, arguments)._replace(own=claim, elsewhere=lines), arguments, 1)
+    code = _run(_request(words, arguments)._replace(own=claim, elsewhere=lines), arguments, 1)
+    if code != terminal.NO:
+        _note_constants(nonzero)
+    return code
+
+
+def _note_constants(nonzero: Mapping[str, bool]) -> None:
+    """Report quantities of a statement that are 0 wherever it was tried, so that it says less."""
+    affine = nonzero.get("affine", True)
+    remedy = "" if affine else "; all are central: write --of lines, or --of 'affine(d=3)'"
+    for name, is_nonzero in nonzero.items():
+        if not is_nonzero and name not in ("affine", "central"):
+            value = "false" if name in TRUTH_VALUES else "empty" if name in MAPPINGS else "0"
+            note(f"{name} is {value} for every arrangement that was tried{remedy}")
 
 
 def _run(request: _Request, arguments: argparse.Namespace, jobs: int) -> int:

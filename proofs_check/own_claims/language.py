@@ -61,6 +61,10 @@ _SYNONYMS: Mapping[str, str] = {
     "edges": "E",
     "vertices": "V",
     "points": "V",
+    **dict.fromkeys(
+        ("d", "dim", "dimension"),
+        "rank, or the number: 2 with --of lines, 3 with --of 'affine(d=3)'",
+    ),
     "lines": "m",
     "planes": "m",
     "hyperplanes": "m",
@@ -72,6 +76,8 @@ _SYNONYMS: Mapping[str, str] = {
     "even": "regions % 2 == 0",
     "odd": "regions % 2 == 1",
 }
+#: What the letters among the quantities are.
+_LETTERS = {"m": "planes", "n": "the same", "V": "vertices", "E": "edges", "F": "faces"}
 _TOKEN = re.compile(r"\w+|\s+|[<>=!]=|.", re.DOTALL)
 #: Signs of mathematics, as Python has them.
 _SIGNS = {"^": "**", "=": "==", "≤": "<=", "≥": ">=", "≠": "!="}
@@ -290,10 +296,12 @@ class _PartTypes:
         if name in _SYNONYMS or (plain != name and plain in QUANTITIES):
             return OwnClaimError(f"{mistake}; write {_SYNONYMS.get(name, plain)}")
         listed = [*QUANTITIES, *FUNCTIONS, *_FUNCTIONS, *sorted({*self.names} - {*QUANTITIES})]
+        shortest = {x: f"{x} ({_LETTERS[x]})" for x in _LETTERS.keys() - {*self.names}}
         words = {word.partition("(")[0].lower(): word for word in [*_SYNONYMS, *listed]}
         near = [words[word] for word in get_close_matches(name.lower(), words, 1)]
         if near and near[0] in _SYNONYMS:
             return OwnClaimError(f"{mistake}; did you mean {near[0]}? Write {_SYNONYMS[near[0]]}")
+        listed = [shortest.get(word, word) for word in listed]
         return OwnClaimError(str(refusal(mistake, words.get(name.lower(), name.lower()), listed)))
 
     def _of_call(self, node: ast.Call) -> str:

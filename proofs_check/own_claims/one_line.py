@@ -54,7 +54,13 @@ _FUNCTIONS: Mapping[str, Callable[..., Any]] = {
 }
 
 
-def one_line_claim(text: str, *, of: str = DEFAULT_DOMAIN, when: str | None = None) -> Claim:
+def one_line_claim(
+    text: str,
+    *,
+    of: str = DEFAULT_DOMAIN,
+    when: str | None = None,
+    nonzero: dict[str, bool] | None = None,
+) -> Claim:
     """Make a claim of a comparison such as ``p_vector.get(3, 0) >= m``.
 
     Args:
@@ -62,6 +68,8 @@ def one_line_claim(text: str, *, of: str = DEFAULT_DOMAIN, when: str | None = No
         of: a domain of planes or pseudolines, or a family such as ``catalan(n=2..8)``, whose
             integer parameters are names in the text.
         when: a hypothesis in the same language.
+        nonzero: gets of each quantity of the statement whether it is not 0 for some arrangement
+            that is tried, and as "affine" whether one is not central.
 
     Raises:
         OwnClaimError: what a text has is not in the language, or the domain has no planes.
@@ -77,7 +85,9 @@ def one_line_claim(text: str, *, of: str = DEFAULT_DOMAIN, when: str | None = No
     hypothesis = read_statement(when, names) if when else None
 
     def holds(planes: Planes, **parameters: int) -> Any:
-        verdict = _Computed(planes, parameters).verdict(statement)
+        if nonzero is not None:
+            nonzero["affine"] = nonzero.get("affine", False) or not planes.is_central
+        verdict = _Computed(planes, parameters, nonzero).verdict(statement)
         return FalseComparison("the statement is false") if verdict is False else verdict
 
     def applies(planes: Planes, **parameters: int) -> bool:
@@ -122,8 +132,14 @@ def value_of(node: ast.expr, planes: Planes, parameters: Mapping[str, Any]) -> A
 class _Computed:
     """The values of the parts of a text, on one arrangement."""
 
-    def __init__(self, planes: Planes, parameters: Mapping[str, Any]) -> None:
+    def __init__(
+        self,
+        planes: Planes,
+        parameters: Mapping[str, Any],
+        nonzero: dict[str, bool] | None = None,
+    ) -> None:
         self.planes, self.parameters = planes, parameters
+        self.nonzero = {} if nonzero is None else nonzero
 
     def verdict(self, node: ast.expr) -> Any:
         """Return True, or what is false: a comparison with its values."""
@@ -167,7 +183,9 @@ class _Computed:
             case ast.Name(id=name):
                 if name in self.parameters:
                     return self.parameters[name]
-                return QUANTITIES[name](self.planes)
+                value = QUANTITIES[name](self.planes)
+                self.nonzero[name] = self.nonzero.get(name, False) or bool(value)
+                return value
             case ast.Constant(value=value):
                 return value
             case ast.BinOp(left=left, op=op, right=right):

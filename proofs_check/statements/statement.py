@@ -8,6 +8,7 @@ a user are the same thing: the first has two routes, the second may have one.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from difflib import get_close_matches
@@ -362,7 +363,11 @@ class Registry(ReprMixin):
         place = id.replace(" ", "").lower()
         near = [claim.id for claim in self if claim.locator.replace(" ", "").lower() == place]
         near = near or get_close_matches(id, self._claims, n=3, cutoff=0.4)
-        hint = f"the nearest are {', '.join(near)}" if near else "no id is near"
+        words = {*re.findall(r"[0-9]+|[a-z]{2,}", id.lower())}
+        near = near or [
+            claim.id for claim in self if words & {*re.findall(r"\w+", claim.locator.lower())}
+        ]
+        hint = f"the nearest are {', '.join(near[:4])}" if near else "no id is near"
         raise UnknownClaimError(
             f"no claim has the id {shown(id)}; {hint} (proofs-check list has all)"
         )

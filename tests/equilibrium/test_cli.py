@@ -165,20 +165,24 @@ def test_make_writes_the_file_that_it_prints(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("words", "now"),
     [
-        ("limit ladder", "equilibrium resisted GRASP LOAD"),
-        ("gws ladder", "equilibrium info GRASP --force-closure"),
+        ("limit ladder", "equilibrium resisted ladder --wrench F_X F_Y TAU"),
+        ("gws ladder", "equilibrium info ladder --force-closure"),
         ("check proof.json", "equilibrium verify CERTIFICATE, or equilibrium solve"),
-        ("export ladder", "equilibrium draw GRASP --model scene -o FILE.xml"),
+        ("export ladder", "equilibrium draw ladder --model scene -o FILE.xml"),
         ("resisted ladder --any-direction", "--smallest"),
         ("resisted ladder --direction 0 1 0", "--wrench"),
         ("solve ladder --weight 1 --literal signs", "--as-printed"),
         ("verify proof.json --proved", "--verified"),
         ("make mesh a.stl --friction 1 --within 1", "--max-distance"),
-        ("examples", "equilibrium list, which has the built-in grasps"),
-        ("friction", "equilibrium resisted GRASP LOAD --friction 1 2"),
-        ("tilt", "equilibrium resisted GRASP LOAD --parameter t=0..1"),
-        ("quiz", "equilibrium lab -o LAB.html; proofs-check grade slip-lab has its exercises"),
-        ("slides", "equilibrium lab -o LAB.html; slides are in the folder docs/slides"),
+        ("examples", "equilibrium list"),
+        ("friction ladder", "equilibrium resisted ladder --wrench F_X F_Y TAU --friction 1 2"),
+        ("tilt", "equilibrium resisted GRASP --wrench F_X F_Y TAU --parameter t=0..1"),
+        ("quiz", "equilibrium lab -o LAB.html, a page with exercises, which proofs-check grade"),
+        ("slides", "equilibrium lab -o LAB.html'"),
+        ("import a.stl", "equilibrium make mesh FILE --friction 1/2 --random 4 -o GRASP.json"),
+        ("animate ladder -o a.gif", "equilibrium lab -o LAB.html, where contacts"),
+        ("region ladder -o a.svg", "equilibrium draw ladder --view resist -o REGION.svg"),
+        ("resisted ladder -o a.svg", "equilibrium draw ladder --view resist -o REGION.svg"),
         ("solve ladder --weight 1 --angle 30", "--force F_X F_Y, or a letter in the file"),
         ("make arch --stones 9", "equilibrium make arch --voussoirs N -o ARCH.json"),
     ],
@@ -195,13 +199,22 @@ def test_other_words_say_what_to_write(capsys, words, now):
     [
         ("ladder", "solve ladder --weight 1"),
         ("my contacts.csv", "solve 'my contacts.csv' --weight 1"),
-        ("arch", "make arch"),
     ],
 )
 def test_subjects_typed_as_commands_are_answered_with_a_command(capsys, word, use):
     with pytest.raises(SystemExit):
         main([word])
     expected = f"{word!r} is not a command; write equilibrium {use} (see"
+    assert expected in capsys.readouterr().err
+
+
+def test_families_typed_as_commands_are_answered_with_two(capsys):
+    with pytest.raises(SystemExit):
+        main(["arch", "5"])
+    expected = (
+        "'arch' is a family; write 'equilibrium make arch --voussoirs 5 -o FILE.json', then "
+        "'equilibrium solve FILE.json' (see"
+    )
     assert expected in capsys.readouterr().err
 
 

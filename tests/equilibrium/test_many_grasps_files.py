@@ -24,11 +24,11 @@ a,1,0,-1,0,0.5,1
 """
 LOADS = "f_x;f_y;tau\n0;-0.9;0\n0;-1.1;0\n"
 ANSWERS = [
-    ["grasp", "load", "answer", "decided"],
-    ["a", "1", "resisted", "screened"],
-    ["a", "2", "not resisted", "screened"],
-    ["b, 2", "1", "resisted", "exact"],
-    ["b, 2", "2", "resisted", "screened"],
+    ["grasp", "load", "answer", "decided", "f_x", "f_y", "tau"],
+    ["a", "1", "resisted", "screened", "0", "-9/10", "0"],
+    ["a", "2", "not resisted", "screened", "0", "-11/10", "0"],
+    ["b, 2", "1", "resisted", "exact", "0", "-9/10", "0"],
+    ["b, 2", "2", "resisted", "screened", "0", "-11/10", "0"],
 ]
 #: The same grasps.
 ARRAYS = {
@@ -136,7 +136,7 @@ def test_table_answers_as_each_grasp_alone(column, files, capsys):
     capsys.readouterr()
     assert solved("all.csv", "--wrenches", "own.csv") == 1
     lines = list(csv.reader(capsys.readouterr().out.splitlines()))[1:]
-    assert [[name, answer] for name, _, answer, _ in lines] == answers
+    assert [[name, answer] for name, _, answer, *_ in lines] == answers
     assert {"resisted", "not resisted"} == {answer for _, answer in answers}
     assert [line[1] for line in lines] == list("112123112")
 

@@ -621,7 +621,7 @@ def test_tables_and_the_command(tmp_path, capsys):
         "least friction of contact 1: 2/3\nresisted for 2/3 <= f"
     )
     assert main([*weight, "--friction", "2"]) == 1
-    assert "contact 2: none is enough\nno friction up to 1" in capsys.readouterr().out
+    assert "contact 2: none is enough\nno friction f up to 1" in capsys.readouterr().out
     assert main([*weight, "--friction", "1", "--parameter", "t=0..1"]) == 2
     assert "--parameter and --friction are two questions" in capsys.readouterr().err
     assert main([*line, "--margin"]) == 2

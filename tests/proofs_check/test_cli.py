@@ -88,7 +88,7 @@ def test_text_keeps_to_the_width(monkeypatch, capsys):
         (["euler"], "'euler' is not a command; write proofs-check run euler ("),
         (["refuted"], "write 'proofs-check run | grep refuted'"),
         (["check", "c.json"], "or equilibrium verify CERT.json for a certificate'"),
-        (["try", "m >= 3", "--dim", "3"], "write '--of \"affine(d=3)\"'"),
+        (["try", "m >= 3", "--dim", "3"], '--of "affine(d=3)" for planes of R^3\''),
         (["list", "refuted"], "there is no 'refuted'; write 'proofs-check run | grep refuted'"),
     ],
 )
@@ -97,3 +97,40 @@ def test_words_that_are_not_commands_are_answered_with_one(capsys, words, answer
         main(words)
     assert stopped.value.code == 2
     assert answer in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "note"),
+    [
+        (
+            ["bounded_regions <= m"],
+            "bounded_regions is 0 for every arrangement that was tried; all",
+        ),
+        (["bounded_regions <= m**2", "--of", "lines"], ""),
+        (["simple implies regions >= m", "--of", "pencil(m=4..5)"], "simple is false for every"),
+        (["bounded_regions >= 1"], ""),  # refuted, on lines as well
+    ],
+)
+def test_quantities_that_are_0_wherever_tried_are_reported(capsys, words, note):
+    main(["try", *words, "--samples", "20"])
+    err = capsys.readouterr().err
+    assert err.startswith(note)
+    assert bool(note) == bool(err)
+
+
+def test_letters_for_the_dimension_are_answered(capsys):
+    assert main(["try", "regions <= m**d"]) == 2
+    assert "write rank, or the number: 2 with --of lines" in capsys.readouterr().err
+    assert main(["try", "regions <= nothing"]) == 2
+    assert "m (planes), rank, regions" in capsys.readouterr().err
+
+
+def test_claims_are_listed_a_line_each_in_a_pipe(capsys):
+    assert main(["list"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines] == list(proofs_check.claims.entries())
+
+
+def test_numbers_of_the_paper_name_claims(capsys):
+    assert main(["list", "lemma-4"]) == 2
+    assert "the nearest are printed-detachment, printed-preload" in capsys.readouterr().err

@@ -4,7 +4,8 @@
 * ``0,1,0`` and ``0, 1, 0`` are three numbers, where an option takes several (`_split_numbers`).
 * An option that is given twice, or has an empty value, is refused (`_get_values`, `_refuse_empty`).
 * Names that are misspelt or were synonyms are answered with those that exist (`_check_value`,
-  `_unknown`), and every error is one line (`error`).
+  `_unknown`). Every error is one line, which the commands of a program follow if none is meant
+  (`error`).
 * Help that cannot be written is an error (`_print_message`).
 * Options that take time to find out are added when their command is parsed (`lazy_options`).
 * The help of a program lists its commands under headings (`format_help`).
@@ -21,19 +22,22 @@ import shlex
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
-from itertools import takewhile
+from itertools import dropwhile, takewhile
+from pathlib import Path
 from typing import Any, NoReturn
 
 from arrangement.console.safe_text import error_text
 from arrangement.numbers.exact import shown
 
-from .values import MAX_COUNT, rational_argument
+from .values import MAX_COUNT, integer_argument, rational_argument
 
 _BAD_INPUT = 2
 #: Options of all commands, which no misspelt one is answered with.
 _EVERYWHERE = {"help", "json", "limit", "traceback", "exact", "digits"}
 #: Options that are listed where one is unknown.
-_FEW = 24
+_FEW = 40
+#: The end of an error that the commands of a program follow.
+_COMMANDS = "expected one of these commands:"
 #: How alike a misspelt name is to the one that is meant, as "jbos" and "jobs"; "slides" and "list"
 #: are less so.
 _ALIKE = 0.75
@@ -41,6 +45,8 @@ _ALIKE = 0.75
 _CLOSE = 0.85
 _NEGATIVE_NUMBER = re.compile(r"-\.?[0-9]")
 _NUMBER = re.compile(r"[+-]?\.?[0-9]")
+#: What stands for a file or a name in what to write.
+_PLACE = re.compile(r"\b(?:CLAIM|FILE|GRASP|ID)\b(?!\.)")
 
 
 class Parser(argparse.ArgumentParser):
@@ -144,7 +150,7 @@ class Parser(argparse.ArgumentParser):
                 raise argparse.ArgumentError(action, "it is given twice; give it once")
             self._seen.append(action)
         for word in () if action.option_strings else arg_strings:
-            use = self._synonym(word) if action.dest in self.names else ""
+            use = action.dest in self.names and (self._synonym(word) or self._made(word))
             if use and word not in self.names[action.dest]() and not os.path.lexists(word):
                 self.error(use)
         return super()._get_values(action, arg_strings)
@@ -163,26 +169,57 @@ class Parser(argparse.ArgumentParser):
             if isinstance(action, argparse._SubParsersAction):
                 self._refuse_other_word(str(value), action.choices)
             known = list(action.choices)
-            text = f"there is no {shown(value)}; expected one of {', '.join(known)}"
-            raise argparse.ArgumentError(action, text + _suggestion(value, known))
+            near, expected = _suggestion(value, known), f"expected one of {', '.join(known)}"
+            if self.headings and not near:
+                action, expected = None, _COMMANDS  # type: ignore[assignment]
+            raise argparse.ArgumentError(action, f"there is no {shown(value)}; {expected}{near}")
 
     def _refuse_other_word(self, word: str, commands: Mapping[str, Parser]) -> None:
         """Refuse a word that is not a command, if it can be seen what is meant."""
         if use := self._synonym(word):
-            raise argparse.ArgumentError(None, use)
+            answers = map(self._made, self.arguments) if _PLACE.search(use) else iter(())
+            raise argparse.ArgumentError(None, next(filter(None, answers), use))
         use = self._stray(word)
         if not use and self.for_files:
             is_name = re.search(r"[./]", word) or word in self.names["file"]()
             use = self.for_files.replace("{}", shlex.quote(word)) if is_name else ""
-        if not use and "make" in commands:
-            commands["make"].add_lazy_options()
-            kinds = [action.choices or () for action in commands["make"]._actions]
-            name = re.split("[:(]", word)[0]
-            use = f"{self.prog} make {name}" if any(name in kind for kind in kinds) else ""
+        if not use and (made := self._made(word)):
+            raise argparse.ArgumentError(None, made)
         if use := use or self._with_option(word):
             raise argparse.ArgumentError(None, f"{shown(word)} is not a command; write {use}")
         if use := self._synonym_of_part(word):
             raise argparse.ArgumentError(None, use)
+
+    def _made(self, word: str) -> str:
+        """Return the answer to a word that names a family, as ``shi(3)``, or ``shi 3`` in two."""
+        match = re.fullmatch(r"([A-Za-z][\w-]*)(?:[:(](.*))?", word)
+        if match is None or "make" not in self.commands:
+            return ""
+        self.commands["make"].add_lazy_options()
+        name = match[1].lower().replace("_", "-")
+        family = self.commands["make"].commands.get(name)
+        if family is None:
+            return ""
+        family.add_lazy_options()
+        words = [*self.arguments]
+        after = words[words.index(word) + 1 :] if word in words else []
+        typed = " ".join([match[2] or "", *takewhile(_NUMBER.match, after)])
+        numbers = re.findall(r"[0-9]+", typed)
+        parts = []
+        for action in sorted(family._actions, key=lambda x: not x.required):
+            usual = "N" in str(action.metavar).split("|") or action.type is integer_argument
+            if action.required or (numbers and usual and action.dest not in _EVERYWHERE):
+                value = (numbers.pop(0) if numbers else "3") if usual else ""
+                usage = family._usage(action) if action.option_strings else str(action.metavar)
+                parts.append(f"{action.option_strings[0]} {value}" if value else usage)
+        made = " ".join([family.prog, *parts, "-o FILE.json"])
+        then = f"{self.for_files.partition('{}')[0]}FILE.json"
+        if not self.for_files:
+            options = [*dropwhile(lambda x: not x.startswith("-"), after)]
+            missing = (x for x in self._actions if x.required and x.option_strings)
+            rest = shlex.join(options) or " ".join(map(self._usage, missing))
+            then = f"{self.prog} FILE.json {rest}".strip()
+        return f"{shown(word)} is a family; write {made!r}, then {then!r}"
 
     def _with_option(self, word: str) -> str:
         """Return the command that has an option of this name, or one that may have this value."""
@@ -217,7 +254,17 @@ class Parser(argparse.ArgumentParser):
         use = self.synonyms.get(word.lower().replace("_", "-"), "")
         option = re.match(r"--[\w-]+", use)
         is_there = option is None or option[0] in self._option_string_actions
-        return f"there is no {word!r}; write {use!r}" if use and is_there else ""
+        return f"there is no {word!r}; write {self._filled(use)!r}" if use and is_there else ""
+
+    def _filled(self, use: str) -> str:
+        """Return what to write, with the file or name that was typed in its place."""
+        files = (
+            word
+            for word in takewhile(lambda x: not x.startswith("-"), self.arguments)
+            if Path(word).is_file() or any(word in known() for known in self.names.values())
+        )
+        file = next(files, "") if _PLACE.search(use) else ""
+        return _PLACE.sub(lambda _: shlex.quote(file), use) if file else use
 
     def _synonym_of_part(self, word: str) -> str:
         """Return the answer to a part of a word, as ``--color-by`` has one."""
@@ -262,11 +309,15 @@ class Parser(argparse.ArgumentParser):
         if not self.headings:
             return super().format_help()
         parts = [f"usage: {self.prog} [--version] COMMAND ...", self.description or ""]
-        width = max(len(name) for rows in self.headings.values() for name, _ in rows) + 2
         for heading, rows in self.headings.items():
-            parts.append("\n".join([f"{heading}:", *(f"  {n:<{width}}{text}" for n, text in rows)]))
+            parts.append("\n".join([f"{heading}:", *self._rows(rows)]))
         parts += [f"{self.prog} COMMAND --help describes a command.", self.epilog or ""]
         return "\n\n".join(parts) + "\n"
+
+    def _rows(self, rows: Iterable[tuple[str, str]]) -> Iterator[str]:
+        """Yield commands with what they do, a line each."""
+        width = max(len(name) for rows in self.headings.values() for name, _ in rows) + 2
+        return (f"  {name:<{width}}{text}" for name, text in rows)
 
     def _print_message(self, message: str, file: Any = None) -> None:
         """Print help; argparse hides that it cannot be written."""
@@ -284,9 +335,15 @@ class Parser(argparse.ArgumentParser):
             message = self._unknown(word)
         for action in self._actions:
             if action.choices and message.endswith(f"required: {action.metavar}"):
-                message += f"; expected one of {', '.join(map(str, action.choices))}"
+                known = f"expected one of {', '.join(map(str, action.choices))}"
+                message += f"; {_COMMANDS if self.headings else known}"
             elif message.endswith(f"required: {'/'.join(action.option_strings) or None}"):
                 message += f"; write {self._usage(action)}"
+            elif action.help and message.endswith(f"required: {action.metavar}"):
+                message += f", {action.help % vars(action)}"
+        if message.endswith(_COMMANDS):
+            rows = (row for rows in self.headings.values() for row in self._rows(rows))
+            self.exit(_BAD_INPUT, "\n".join([f"error: {error_text(message)}", *rows, ""]))
         self.exit(_BAD_INPUT, f"error: {error_text(message)} (see {self.prog} --help)\n")
 
 

@@ -59,13 +59,18 @@ class CheckedGrasps(ReprMixin):
     _source: Source = field(repr=False)
 
     def __repr__(self) -> str:
+        return f"<CheckedGrasps: {self.summary}>"
+
+    @property
+    def summary(self) -> str:
+        """How many grasps and loads there are, and how many of each answer."""
         names = "resisted", "screened", "exact", "undecided"
         counts = ", ".join(f"{np.count_nonzero(getattr(self, name))} {name}" for name in names)
         grasps, loads = self.resisted.shape
         many = f"{counted(loads, 'load')} each"
         if not self.asked.all():
             many = counted(int(np.count_nonzero(self.asked)), "load")
-        return f"<CheckedGrasps: {counted(grasps, 'grasp')}, {many}: {counts}>"
+        return f"{counted(grasps, 'grasp')}, {many}: {counts}"
 
     def grasp(self, number: int) -> Grasp:
         """Return one of the grasps exactly, as the answers are about it; `solve` proves them."""

@@ -92,6 +92,13 @@ class ManyGrasps(NamedTuple):
         if len(self.remarks) > _MOST_REMARKS:
             yield f"... and {len(self.remarks) - _MOST_REMARKS} more on pads and adhesion"
 
+    def load(self, i: int, j: int) -> RationalVector | list[float]:
+        """Return load j of grasp i, both from 0."""
+        if self.loads is not None or isinstance(self.source, list):
+            return (self.loads or [])[i][j]
+        row: list[float] = self.source[-1][i, j].tolist()
+        return row
+
     def with_loads(self, loads: Iterable[Iterable[Any]]) -> ManyGrasps:
         """Return the same grasps with the same loads for all."""
         listed = [read_wrench(load, self.dimension) for load in loads]
@@ -224,17 +231,18 @@ def _read_arrays(path: str, known: Sequence[str], required: Sequence[str]) -> di
     return arrays
 
 
-def answers_csv(names: Sequence[str], checked: CheckedGrasps) -> str:
+def answers_csv(many: ManyGrasps, checked: CheckedGrasps) -> str:
     """Return a line for each question: the grasp, the load, the answer, and how it was decided."""
+    axes = _WRENCHES[WRENCH_SIZES[many.dimension]]
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
-    table.writerow([_GRASP, "load", "answer", "decided"])
-    for i, name in enumerate(names):
+    table.writerow([_GRASP, "load", "answer", "decided", *axes])
+    for i, name in enumerate(many.names):
         for j in np.flatnonzero(checked.asked[i]).tolist():
             way = "screened" if checked.screened[i, j] else "exact" if checked.exact[i, j] else ""
             yes = checked.resisted[i, j]
             answer = "undecided" if not way else "resisted" if yes else "not resisted"
-            table.writerow([name, j + 1, answer, way])
+            table.writerow([name or i + 1, j + 1, answer, way, *many.load(i, j)])
     return text.getvalue()
 
 
@@ -246,12 +254,12 @@ def answers_lists(checked: CheckedGrasps) -> dict[str, list[list[bool]]]:
     }
 
 
-def write_answers(path: str, names: Sequence[str], checked: CheckedGrasps) -> None:
+def write_answers(path: str, many: ManyGrasps, checked: CheckedGrasps) -> None:
     """Write answers to a CSV or an NPZ file, by the ending of its name."""
     if is_npz(path):
         content = io.BytesIO()
         arrays = {name: getattr(checked, name) for name in ANSWERS}
-        np.savez_compressed(content, grasp=np.array(names), **arrays)
+        np.savez_compressed(content, grasp=np.array(many.names), **arrays)
         write_bytes_atomically(path, content.getvalue())
     else:
-        write_bytes_atomically(path, answers_csv(names, checked).encode())
+        write_bytes_atomically(path, answers_csv(many, checked).encode())
