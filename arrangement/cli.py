@@ -74,11 +74,14 @@ _SYNONYMS = {
     "boolean": "arrangement make coordinate --d 3 -o FILE.json",
     **dict.fromkeys(("explain", "describe"), "arrangement count FILE"),
     **dict.fromkeys(
-        ("demo", "interactive", "lesson", "lessons", "play", "slides", "tutorial"),
+        (
+            *("course", "demo", "game", "gui", "interactive", "lecture", "lesson", "lessons"),
+            *("notebook", "play", "slides", "tour", "tutorial", "widget"),
+        ),
         "arrangement lab -o LAB.html",
     ),
     **dict.fromkeys(
-        ("exercise", "exercises", "homework", "quiz", "--solutions", "--level"),
+        ("exercise", "exercises", "homework", "quiz", "worksheet", "--solutions", "--level"),
         "arrangement lab -o LAB.html, a page with exercises, which proofs-check grade "
         "arrangement-lab lists",
     ),
@@ -99,7 +102,7 @@ _SYNONYMS = {
     **dict.fromkeys(("example", "examples", "names"), "arrangement list"),
     "import": "arrangement convert FILE --from FORMAT --number K, or arrangement list FILE",
     "export": "arrangement convert FILE -o PATH",
-    **dict.fromkeys(("verify", "check"), "proofs-check run CLAIM"),
+    **dict.fromkeys(("verify", "check"), "arrangement count FILE --verified, or proofs-check run"),
     **dict.fromkeys(("plot", "show", "picture", "render"), "arrangement draw FILE -o FIGURE.svg"),
     "figure": "arrangement draw FILE -o FIGURE.svg",
     "--stones": "equilibrium make arch --voussoirs N -o ARCH.json",

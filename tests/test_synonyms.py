@@ -338,6 +338,7 @@ def written_for(words, capsys):
     ("words", "made", "then"),
     [
         ("count shi 3", "make shi --type 3", "count FILE.json"),
+        ("coxeter B3", "make coxeter --type B3", "count FILE.json"),
         ("charpoly shi 3", "make shi --type 3", "count FILE.json"),
         ("count braid(5)", "make braid --n 5", "count FILE.json"),
         ("faces generic(5,2) --bounded", "make generic --m 5 --d 2", "faces FILE.json --bounded"),

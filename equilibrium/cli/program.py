@@ -16,11 +16,14 @@ _QUESTION = "GRASP --wrench F_X F_Y TAU"
 _SYNONYMS = {
     **dict.fromkeys(("example", "examples", "names"), "equilibrium list"),
     **dict.fromkeys(
-        ("demo", "interactive", "lesson", "lessons", "play", "slides", "tutorial"),
+        (
+            *("course", "demo", "game", "gui", "interactive", "lecture", "lesson", "lessons"),
+            *("notebook", "play", "slides", "tour", "tutorial", "widget"),
+        ),
         "equilibrium lab -o LAB.html",
     ),
     **dict.fromkeys(
-        ("exercise", "exercises", "quiz", "homework", "--solutions", "--level"),
+        ("exercise", "exercises", "quiz", "homework", "worksheet", "--solutions", "--level"),
         "equilibrium lab -o LAB.html, a page with exercises, which proofs-check grade slip-lab "
         "lists",
     ),
@@ -65,7 +68,19 @@ _SYNONYMS = {
     "monte-carlo": f"equilibrium solve {_QUESTION} --robust length=1/100 friction=5%",
     "limit": f"equilibrium resisted {_QUESTION}, or equilibrium resisted GRASP --smallest",
     **dict.fromkeys(
-        ("limits", "max-load", "max", "stability", "load", "range-of-loads"),
+        (
+            "limits",
+            "max-load",
+            "max-force",
+            "maxforce",
+            "maximum",
+            "optimize",
+            "optimise",
+            "max",
+            "stability",
+            "load",
+            "range-of-loads",
+        ),
         f"equilibrium resisted {_QUESTION}",
     ),
     **dict.fromkeys(("margin", "safety"), f"equilibrium resisted {_QUESTION} --margin"),

@@ -14,7 +14,7 @@ from arrangement.console.options.parser import Parser
 #: Other words for commands and options, with what to write.
 _SYNONYMS = {
     **dict.fromkeys(
-        ("check", "verify", "prove", "test"),
+        ("audit", "certify", "check", "verify", "prove", "test"),
         "proofs-check run CLAIM, for all proofs-check run, or equilibrium verify CERT.json for a "
         "certificate",
     ),
@@ -43,14 +43,14 @@ _SYNONYMS = {
     "--max": "--classes",
     "--random": "--samples",
     **dict.fromkeys(("--for", "--where", "--if", "--given", "--assume"), "--when STATEMENT"),
-    **dict.fromkeys(("--family", "--domain", "--on"), "--of DOMAIN, as 'braid(n=3..6)'"),
+    **dict.fromkeys(("--family", "--domain", "--in", "--on"), "--of DOMAIN, as 'braid(n=3..6)'"),
     "table": "proofs-check run FILE.csv",
     "status": "proofs-check sweep --store FILE --status",
     "merge": "proofs-check sweep --store FILE --merge PART ...",
     "--census": "--classes",
     "--types": "--classes",
     "--planes": "--elements",
-    "--lines": "--classes",
+    "--lines": "--of lines",
     **dict.fromkeys(
         ("--dim", "--d", "--dimension", "-d"),
         '--of lines for lines of the plane, --of "affine(d=3)" for planes of R^3',

@@ -296,13 +296,15 @@ class _PartTypes:
         if name in _SYNONYMS or (plain != name and plain in QUANTITIES):
             return OwnClaimError(f"{mistake}; write {_SYNONYMS.get(name, plain)}")
         listed = [*QUANTITIES, *FUNCTIONS, *_FUNCTIONS, *sorted({*self.names} - {*QUANTITIES})]
-        shortest = {x: f"{x} ({_LETTERS[x]})" for x in _LETTERS.keys() - {*self.names}}
         words = {word.partition("(")[0].lower(): word for word in [*_SYNONYMS, *listed]}
         near = [words[word] for word in get_close_matches(name.lower(), words, 1)]
         if near and near[0] in _SYNONYMS:
             return OwnClaimError(f"{mistake}; did you mean {near[0]}? Write {_SYNONYMS[near[0]]}")
-        listed = [shortest.get(word, word) for word in listed]
-        return OwnClaimError(str(refusal(mistake, words.get(name.lower(), name.lower()), listed)))
+        refused = str(refusal(mistake, words.get(name.lower(), name.lower()), listed))
+        head, expected, known = refused.partition("expected one of ")
+        for letter in _LETTERS.keys() - {*self.names}:
+            known = re.sub(rf"\b{letter}(?=,)", f"{letter} ({_LETTERS[letter]})", known)
+        return OwnClaimError(head + expected + known)
 
     def _of_call(self, node: ast.Call) -> str:
         match node:

@@ -203,13 +203,14 @@ class Parser(argparse.ArgumentParser):
         family.add_lazy_options()
         words = [*self.arguments]
         after = words[words.index(word) + 1 :] if word in words else []
-        typed = " ".join([match[2] or "", *takewhile(_NUMBER.match, after)])
-        numbers = re.findall(r"[0-9]+", typed)
+        typed = " ".join([match[2] or "", *takewhile(lambda x: x[:1] != "-", after)])
+        numbers = re.findall(r"\b[A-Z]?[0-9]+\b", typed)  # and types, as B3
         parts = []
         for action in sorted(family._actions, key=lambda x: not x.required):
             usual = "N" in str(action.metavar).split("|") or action.type is integer_argument
             if action.required or (numbers and usual and action.dest not in _EVERYWHERE):
-                value = (numbers.pop(0) if numbers else "3") if usual else ""
+                is_taken = numbers and (usual or not numbers[0].isdecimal())
+                value = numbers.pop(0) if is_taken else "3" * usual
                 usage = family._usage(action) if action.option_strings else str(action.metavar)
                 parts.append(f"{action.option_strings[0]} {value}" if value else usage)
         made = " ".join([family.prog, *parts, "-o FILE.json"])
