@@ -90,6 +90,11 @@ _SYNONYMS = {
     ),
     **dict.fromkeys(("--seed", "--count"), "arrangement make random-integer --m 5 --d 2 --seed 1"),
     "report": "arrangement draw FILE -o PAGE.html",
+    "hyperplanes": "arrangement count FILE",
+    **dict.fromkeys(
+        ("essentialize", "essentialise", "essentialization"),
+        "in Python arrangement.counts.essentialization(A)",
+    ),
     "tutte": "in Python arrangement.counts.tutte_polynomial(A)",
     "matroid": "in Python arrangement.counts.bases(A)",
     "zonotope": "arrangement draw FILE --view dual -o DUAL.svg",

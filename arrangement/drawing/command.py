@@ -104,7 +104,7 @@ def add_options(
     if "--xlim" in names:  # few views have it
         use = f"--view {uses['window'][0].name} --window X,Y X,Y"
         names |= {"--xlim": use, "--ylim": use}
-    parser.synonyms = {**_SYNONYMS, **names, **parser.synonyms}
+    parser.synonyms = {**_SYNONYMS, **parser.synonyms, **names}
     parser.strays["mm|cm|in|pt"] = "a length in one word, such as 10cm"
     parser.strays[r"[^-].*"] = (
         f"{parser.prog} once for each {subject}; in Python compose([...]) of arrangement.pictures "
