@@ -602,7 +602,7 @@ def test_planes_and_grasps_draw_themselves():
     assert [len(part.axes) for part in (left, right)] == [1, 1]
     with pytest.raises(InputError, match="did you mean dual"):
         planes.draw("duel")
-    with pytest.raises(InputError, match="did you mean labels"):
+    with pytest.raises(TypeError, match="write 'labels'"):
         planes.draw(label="none")
 
 

@@ -181,7 +181,7 @@ def _words(tokens: list[tuple[str, str]]) -> str:
 def escape_latex(text: str) -> str:
     r"""Return text that LaTeX prints as it is.
 
-    >>> print(escaped("Möbius_1"))
+    >>> print(escape_latex("Möbius_1"))
     M\"{o}bius\_1
     """
     safe = ""

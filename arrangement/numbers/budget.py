@@ -254,9 +254,9 @@ def allow(steps: float) -> None:
 def spend(steps: float) -> None:
     """Count steps of the command that runs; does nothing in Python.
 
-    >>> with metered(1000):
+    >>> with meter_steps(1000):
     ...     spend(600)
-    ...     spent()
+    ...     steps_spent()
     600
 
     Raises:
@@ -276,9 +276,9 @@ def spend(steps: float) -> None:
 def steps_left() -> float:
     """Return the steps that the command may still take; infinity in Python.
 
-    >>> with metered(1000):
+    >>> with meter_steps(1000):
     ...     spend(600)
-    ...     left()
+    ...     steps_left()
     400.0
     """
     meter = _meter.get()

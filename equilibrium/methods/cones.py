@@ -40,7 +40,7 @@ def cones(grasp: Grasp, wrench: Iterable[Any], *, printed: bool = False) -> Stat
     """
     applied, n = read_wrench(wrench), 3 + len(grasp)
     budget.check_cost(f"a linear program in {n} variables", "leave out contacts", steps=1.5 * n**3)
-    question = LinearQuestion(ContactRows.of_grasp(grasp), grasp.total_load(applied))
+    question = LinearQuestion(ContactRows.of_grasp(grasp), applied)
     tried = 0
     every = [("attached",) * len(grasp)] if printed else _states(grasp)
     for tried, states in enumerate(every, 1):

@@ -15,10 +15,9 @@ from typing import Any
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.numbers import budget
-from arrangement.numbers.exact import shown
 from proofs_check.errors import OwnClaimError
 
-from .statement import Case, Claim, ClaimVerdict, Kind, Route, Strength
+from .statement import Case, Claim, ClaimVerdict, Kind, Route, Strength, check_claim
 
 #: What can come out of one instance. "outside": nothing is said of it; "excused": the statement
 #: fails, and the saving hypothesis excludes the instance; "broken": the check itself failed.
@@ -231,8 +230,7 @@ def _agree(values: tuple[Any, ...]) -> bool:
 def evaluate(claim: Claim, seed: int = 0, progress: Callable[[int], None] | None = None) -> Result:
     """Check a claim on all its cases, and look for the smallest counterexample.
 
-    The random generator depends on the seed and the id alone, so that claims can run in any
-    order, or alone, with the same result.
+    The random generator depends on seed and id alone: the order of claims changes no result.
 
     Args:
         claim: what is checked.
@@ -242,12 +240,7 @@ def evaluate(claim: Claim, seed: int = 0, progress: Callable[[int], None] | None
     Raises:
         OwnClaimError: what is not a claim.
     """
-    if not isinstance(claim, Claim):
-        raise OwnClaimError(
-            f"the claim is {shown(claim)}; expected a Claim, such as registry()[ID] or a function "
-            "under @claim(TEXT). For a text write evaluate(one_line_claim(TEXT)), from "
-            "proofs_check.own_claims.one_line, or in a shell: proofs-check try TEXT"
-        )
+    check_claim(claim)
     if claim.large and budget.times() < math.inf:
         with budget.limit(math.inf):
             return evaluate(claim, seed, progress)

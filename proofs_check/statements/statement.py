@@ -371,3 +371,13 @@ class Registry(ReprMixin):
         raise UnknownClaimError(
             f"no claim has the id {shown(id)}; {hint} (proofs-check list has all)"
         )
+
+
+def check_claim(given: object) -> None:
+    """Refuse what is not a claim."""
+    if not isinstance(given, Claim):
+        raise OwnClaimError(
+            f"the claim is {shown(given)}; expected a Claim, such as registry()[ID] or a function "
+            "under @claim(TEXT). For a text write evaluate(one_line_claim(TEXT)), from "
+            "proofs_check.own_claims.one_line, or in a shell: proofs-check try TEXT"
+        )
