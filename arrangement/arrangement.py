@@ -64,8 +64,19 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
     """
 
     _synonyms: ClassVar[Mapping[str, str]] = {
-        word: name for words in synonyms.ARRANGEMENT.values() for word, name in words.items()
+        **synonyms.PICTURES,
+        **synonyms.PAGES,
+        **{word: name for words in synonyms.ARRANGEMENT.values() for word, name in words.items()},
     }
+    _main = (
+        "f_vector",
+        "regions",
+        "faces",
+        "vertices",
+        "characteristic_polynomial",
+        "draw",
+        "save",
+    )
 
     def iter_faces(self, dimension: int | None = None) -> Iterator[Face]:
         """Yield every face (of one dimension, if given) with an exact witness, as `faces` does."""

@@ -115,6 +115,8 @@ _ALIKE = 0.81
 #: What comes before a noun, or behind it, where its number is meant; and what says nothing.
 _COUNTING = re.compile(r"(?:n|nb|num|number_of|count)_(.+)|(.+)_(?:count|number)")
 _FILLING = re.compile(r"(?:all|calculate|compute|contact|find|get|list|set)_(.+)")
+#: What says alone which method is meant, as ``plot_regions`` does.
+_DRAWING = re.compile(r"(?:draw|plot|show|visuali[sz]e)_.+")
 
 
 def _lower(synonyms: Mapping[str, str]) -> dict[str, str]:
@@ -136,6 +138,8 @@ def _meant(name: str, uses: Mapping[str, str]) -> str | None:
         words += [f"n_{noun}", f"number_of_{noun}", f"{noun.removesuffix('s')}_count", noun]
     if filled := _FILLING.fullmatch(name):
         words += [f"with_{filled[1]}", filled[1], f"{filled[1]}s"]
+    if _DRAWING.fullmatch(name):
+        words += ["plot"]
     parts = name.split("_")
     for word in uses if len(parts) > 1 else ():
         whole = word.split("_")
@@ -165,8 +169,17 @@ def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> 
             value = (owner if isinstance(owner, type) else type(owner)).__name__.lower()
             use = use or f"json.dumps({value}.to_dict())"
         use = use or " or ".join(get_close_matches(name, names, 2, _ALIKE))
-        hint = f"; use {use}" if use else ""
+        hint = f"; use {use}" if use else _main_names(owner)
     return AttributeError(f"{what} has no attribute {name!r}{hint}", name=name)
+
+
+def _main_names(owner: object) -> str:
+    """Return what a class or a module says of itself where no name is near."""
+    names = ", ".join(getattr(owner, "_main", ()))
+    if isinstance(owner, InstanceHintsMixin):
+        owner = type(owner)
+    name = getattr(owner, "__name__", "")
+    return f"; {name} has {names}, ...: see help({name})" if names else ""
 
 
 def _unknown_argument(
@@ -239,10 +252,12 @@ class InstanceHintsMixin:
 
     Attributes:
         _synonyms: other names of the field, each with what to write here.
+        _main: names that are shown where no synonym is near.
     """
 
     __slots__ = ()
     _synonyms: ClassVar[Mapping[str, str]] = {}
+    _main: ClassVar[tuple[str, ...]] = ()
 
     if not TYPE_CHECKING:
 

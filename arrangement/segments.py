@@ -42,6 +42,7 @@ class Segments(HintsMixin):
     ends: tuple[tuple[RationalVector, RationalVector], ...]
     names: tuple[str, ...]
     _synonyms: ClassVar[Mapping[str, str]] = synonyms.SEGMENTS
+    _main = ("ends", "names", "lines", "pieces", "draw")
 
     def __init__(self, ends: Iterable[_Points], names: Names = ()) -> None:
         given = [entries(pair, "ends", "ends") for pair in entries(ends, "segments", "segments")]

@@ -124,7 +124,17 @@ ARRANGEMENT: Mapping[str, Mapping[str, str]] = {
         "from_points": "arrangement.families.lines_through([(0, 0), (4, 0), (0, 4)])",
         "from_polymake": "arrangement.read_arrangement(path)",
         "from_sage": "arrangement.read_arrangement(path)",
-        "hasse_diagram": "A.intersection_lattice()",
+        "hasse_diagram": "A.draw('lattice')",
+        "n": "len(A)",
+        "m": "len(A)",
+        "size": "len(A)",
+        "ambient_dimension": "A.dimension",
+        "from_arrays": "arrangement.Arrangement([normal], [offset])",
+        "from_numpy": "arrangement.Arrangement([normal], [offset])",
+        "from_csv": "arrangement.read_arrangement(path)",
+        "from_json": "arrangement.read_arrangement(path)",
+        "generic": "arrangement.families.generic(5, 2, affine=True)",
+        "plot_lattice": "A.draw('lattice')",
         "inside": "A.regions(inside=r)",
         "intersection_points": "A.vertices()",
         "intersections": "A.intersection_lattice()",
@@ -148,8 +158,6 @@ ARRANGEMENT: Mapping[str, Mapping[str, str]] = {
         "random": "arrangement.families.random_integer(5, 2)",
         "read": "arrangement.read_arrangement(path)",
         "remove": "A.deletion(i)",
-        "savefig": "A.draw().write(path)",
-        "show": "A.draw()",
         "symmetries": "A.identify().automorphisms",
         "to_csv": "A.save(path)",
         "to_dataframe": "pandas.DataFrame(A.sign_vectors())",
@@ -161,6 +169,27 @@ ARRANGEMENT: Mapping[str, Mapping[str, str]] = {
         "zaslavsky": "A.region_count()",
     },
 }
+
+#: Of everything that has a method `draw`: what saves its picture.
+PICTURES: Mapping[str, str] = {
+    **{
+        f"{verb}_{kind}": f"draw().write('picture.{kind}')"
+        for verb in ("to", "as", "save", "export", "write")
+        for kind in ("svg", "pdf", "png")
+    },
+    **dict.fromkeys(("to_tikz", "as_tikz", "to_tex", "tikz"), "draw().write('picture.tex')"),
+    **dict.fromkeys(
+        ("save_figure", "save_image", "save_picture", "savefig", "to_image", "export_figure"),
+        "draw().write('picture.svg')",
+    ),
+    **dict.fromkeys(("display", "figure", "picture", "plot", "render", "show"), "draw()"),
+    "visualize": "draw()",
+    "visualise": "draw()",
+}
+#: Of what has a method `lab`, too.
+PAGES: Mapping[str, str] = dict.fromkeys(
+    ("animate", "drag", "explore", "interact", "interactive", "simulate", "widget"), "lab()"
+)
 
 _FAMILIES = """bigraphical bisectors braid catalan complete_bipartite coordinate coxeter diagonals
 discriminantal generic graphical h3 h4 ish ish_b lines_through linial near_pencil pencil perles
@@ -228,6 +257,7 @@ FACES: Mapping[str, str] = {
 
 #: Of segments S.
 SEGMENTS: Mapping[str, str] = {
+    **PICTURES,
     "arrangement": "S.lines",
     "bounded_regions": "S.pieces().bounded_cells",
     "cells": "S.pieces().cells",
@@ -235,10 +265,8 @@ SEGMENTS: Mapping[str, str] = {
     "edges": "S.pieces().edges",
     "f_vector": "S.pieces()",
     "faces": "S.pieces().cells",
-    "plot": "S.draw()",
     "region_count": "S.pieces().cells",
     "regions": "S.pieces().cells",
-    "show": "S.draw()",
     "vertices": "S.pieces().vertices",
 }
 

@@ -271,9 +271,69 @@ def test_variants_of_names_are_answered(name, use):
 
 
 @pytest.mark.parametrize("name", ["zon", "unbounded_face_list", "cut", "decone"])
-def test_names_that_are_only_alike_get_no_hint(name):
-    with pytest.raises(AttributeError, match=f"'{name}'$"):
+def test_names_that_are_only_alike_are_answered_with_main_names(name):
+    with pytest.raises(AttributeError, match=f"'{name}'; Arrangement has f_vector, ") as error:
         getattr(LINES, name)
+    assert str(error.value).endswith(", ...: see help(Arrangement)")
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        LINES,
+        VALUES["S"],
+        VALUES["grasp"],
+        VALUES["contact"],
+        equilibrium.Assembly(["block"]),
+        solve(VALUES["grasp"], VALUES["wrench"]),
+        ResistedSet(VALUES["grasp"]),
+    ],
+    ids=lambda value: type(value).__name__,
+)
+def test_main_names_are_there(value):
+    for owner in (value, type(value)):
+        with pytest.raises(AttributeError) as error:
+            owner.xyzzy  # noqa: B018
+        names = re.findall(r"; (\w+) has (.+), \.\.\.: see help", str(error.value))
+        assert [(type(value).__name__, ", ".join(type(value)._main))] == names
+    assert set(value._main) <= {*dir(value)}
+
+
+def test_names_for_pictures_run(tmp_path, monkeypatch):
+    pytest.importorskip("matplotlib")
+    monkeypatch.chdir(tmp_path)
+    drawing = LINES.draw()
+    assert set(drawing._main) <= {*dir(drawing)}
+    for value in (LINES, VALUES["S"], VALUES["grasp"], drawing):
+        for word in {**synonyms.PICTURES, **synonyms.PAGES}.keys() & value._synonyms.keys():
+            if word not in dir(value):
+                with pytest.raises(AttributeError) as error:
+                    getattr(value, word)
+                use = str(error.value).partition("; use ")[2]
+                assert use == value._synonyms[word]
+    for use in {*drawing._synonyms.values()} | {*synonyms.PICTURES.values()}:
+        owner = "drawing" if use.startswith("write") else "A"
+        run(f"{owner}.{use}", A=LINES, drawing=drawing, path="p.svg")
+    for value in (LINES, VALUES["grasp"]):
+        run("A.lab()", A=value)
+        assert {*synonyms.PAGES.values()} == {"lab()"}
+
+
+def test_names_for_grasps_run():
+    pytest.importorskip("matplotlib")
+    names = {name: getattr(equilibrium, name) for name in dir(equilibrium)}
+    data = {"points": [[0.5, 0], [-0.5, 0]], "normals": [[-1, 0], [1, 0]], "friction": 0.5}
+    made = {"contacts": [1], "wrench": VALUES["wrench"], "grasp": VALUES["grasp"]}
+    for word in ("from_arrays", "max_load", "min_friction", "min_preload", "from_polygon"):
+        run(Grasp._synonyms[word], **names, **data, **made, equilibrium=equilibrium)
+    run(f"grasp.{Grasp._synonyms['plot_resisted_region']}", **names, **made)
+
+
+def test_sufficient_friction_takes_a_grasp():
+    grasp = VALUES["grasp"]
+    least = equilibrium.sufficient_friction(grasp, [1, 2], [0, "1/2", 0])
+    document = grasp.to_dict() | {"wrench": [0, "1/2", 0]}
+    assert least.to_dict() == equilibrium.sufficient_friction(document, [1, 2]).to_dict()
 
 
 PROGRAMS = {

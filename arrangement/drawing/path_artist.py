@@ -18,6 +18,7 @@ from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 
+from arrangement import synonyms
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
 from arrangement.drawing.layout import lay_out
 from arrangement.drawing.output import (
@@ -357,7 +358,17 @@ class Drawing(HintsMixin, Figure):
         scene: what is drawn, and the legend as data.
     """
 
-    _synonyms: ClassVar[Mapping[str, str]] = dict.fromkeys(("save", "to_file"), "write(path)")
+    _synonyms: ClassVar[Mapping[str, str]] = {
+        **{
+            word: use.removeprefix("draw().")
+            for word, use in synonyms.PICTURES.items()
+            if "wr" in use
+        },
+        **dict.fromkeys(
+            ("download", "export", "save", "save_as", "to_file", "write_file"), "write(path)"
+        ),
+    }
+    _main = ("write", "restyle", "region", "circle", "to_page")
 
     def __init__(self, scene: Scene) -> None:
         super().__init__()

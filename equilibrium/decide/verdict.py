@@ -115,6 +115,7 @@ class Verdict(AboutCaseMixin, HintsMixin):
         "save": "certificate.save(path)",
         "show": "grasp.draw(wrench=wrench)",
     }
+    _main = ("stable", "states", "forces", "equilibria", "certificate", "verify", "to_dict")
 
     @classmethod
     def of(

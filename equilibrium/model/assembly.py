@@ -237,6 +237,7 @@ class Assembly(HintsMixin, ContactValuesMixin):
         "modes": "ContactModes.of_grasp(assembly)",
         "solve": "solve(assembly, wrenches)",
     }
+    _main = ("bodies", "contacts", "from_polygons", "with_friction", "with_preload", "save")
 
     def __init__(
         self,

@@ -113,6 +113,7 @@ class Contact(HintsMixin, ReprMixin):
         "normal_force": "preload",
         "position": "point",
     }
+    _main = ("point", "normal", "friction", "stiffness", "preload", "tangent", "to_dict")
 
     def __init__(
         self,

@@ -22,6 +22,7 @@ from arrangement.numbers import budget
 from arrangement.numbers.arguments import entries, whole
 from arrangement.numbers.exact import RationalVector, dot, rational, rational_vector, shown
 from arrangement.numbers.linear.rank import cross
+from arrangement.synonyms import PAGES, PICTURES
 
 from .contact import (
     IN_SPACE,
@@ -158,6 +159,35 @@ class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
 
     _synonyms: ClassVar[Mapping[str, str]] = {
         **NAMES,
+        **PICTURES,
+        **PAGES,
+        **dict.fromkeys(
+            ("from_arrays", "from_contacts", "from_floats", "from_numpy", "from_points"),
+            "equilibrium.inputs.from_float_data(points, normals, friction).grasp",
+        ),
+        **dict.fromkeys(
+            ("from_dataframe", "from_df", "from_pandas"),
+            "equilibrium.inputs.from_float_data(points, normals, friction).grasp",
+        ),
+        **dict.fromkeys(
+            ("from_mesh", "from_stl"), "equilibrium.inputs.on_mesh(path, friction, at=points).grasp"
+        ),
+        "from_polygon": "equilibrium.inputs.from_polygon",
+        **dict.fromkeys(
+            ("max_force", "max_load", "max_wrench", "maximum_load"),
+            "ResistedSet(grasp).along(wrench).intervals",
+        ),
+        **dict.fromkeys(
+            ("min_friction", "minimum_friction", "sufficient_friction"),
+            "sufficient_friction(grasp, contacts, wrench)",
+        ),
+        **dict.fromkeys(
+            ("min_preload", "minimum_preload"), "ResistedSet(grasp).margin(wrench).preloads"
+        ),
+        **dict.fromkeys(
+            ("plot_region", "plot_resisted", "plot_resisted_region", "plot_resisted_set"),
+            "draw('resist')",
+        ),
         **dict.fromkeys(("from_csv", "from_file", "from_json", "load", "read"), "read_grasp(path)"),
         **dict.fromkeys(("add", "add_contact", "append"), "Grasp([*grasp.contacts, contact])"),
         "along": "ResistedSet(grasp).along(wrench)",
@@ -170,11 +200,9 @@ class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
         "modes": "ContactModes.of_grasp(grasp)",
         "n_contacts": "len(grasp)",
         "planes": "tangential_arrangement() or motion_arrangement()",
-        "plot": "draw()",
         "resisted": "ResistedSet(grasp).along(wrench)",
         "resisted_set": "ResistedSet(grasp)",
         "resists": "solve(grasp, wrench).stable",
-        "show": "draw()",
         "slice": "ResistedSet(grasp).slice(u, v)",
         **dict.fromkeys(
             ("to_dataframe", "to_pandas"), "pandas.DataFrame([c.to_dict() for c in grasp])"
@@ -182,6 +210,7 @@ class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
         "solve": "solve(grasp, wrench)",
         "wrench_space": "GraspWrenchSpace(grasp)",
     }
+    _main = ("contacts", "with_friction", "with_preload", "tangential_arrangement", "draw", "save")
 
     def __init__(
         self,

@@ -101,6 +101,7 @@ class ResistedSet(HintsMixin, JsonMixin):
         "states_at": "solve(wrench).equilibria, each with its states",
         "sufficient_preloads": "margin(wrench).preloads, or preloads(wrenches, contacts)",
     }
+    _main = ("along", "slice", "margin", "contains", "smallest_outside", "polyhedra", "draw")
 
     def __init__(
         self, grasp: Grasp | Assembly, *, max_displacement: Any = None, pyramid: int | None = None

@@ -88,13 +88,16 @@ def _first_not(spans: Iterable[Span], whole: Span) -> Fraction | None:
 
 @hints_on_arguments(ARGUMENTS)
 def sufficient_friction(
-    source: Source, contacts: Iterable[int], wrench: Any = None, tolerance: Any = TOLERANCE
+    source: Source | Grasp | Assembly,
+    contacts: Iterable[int],
+    wrench: Any = None,
+    tolerance: Any = TOLERANCE,
 ) -> SufficientFriction:
     """Return the least friction coefficient, the same at some contacts, that resists a load.
 
     Args:
-        source: a document of a grasp in the plane, or of an assembly; a path, a built-in name or a
-            mapping.
+        source: a grasp in the plane or an assembly; or a document of one: a path, a built-in name
+            or a mapping.
         contacts: numbers, from 1, of those that get the coefficient; the others keep their own.
         wrench: on the grasp, or on the bodies of an assembly, in place of that of the source.
         tolerance: the largest width of what may be left unproved between two proofs; above 1 of
@@ -111,6 +114,8 @@ def sufficient_friction(
     >>> least.low, least.high, sufficient_friction(ladder, [2]).impossible
     (Fraction(2, 3), Fraction(2, 3), True)
     """
+    if isinstance(source, (Grasp, Assembly)):
+        source = source.to_dict()
     document = question_document(source, wrench)
     known = {key: x for key, x in document.items() if key != "wrench"}
     subject: Subject = (Assembly if "bodies" in known else Grasp).from_dict(known)
