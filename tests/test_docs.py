@@ -297,7 +297,7 @@ def test_numbers_on_pages_are_those_of_the_code():
     irrational = sum(one.field is not None for one in known)
     methods = len(DECIDING)
     for page, text in (
-        ("howto/lab", f"in place of the {number[len(slip_exercises())]}"),
+        ("howto/lab", f"replaces the {number[len(slip_exercises())]} exercises by them"),
         ("howto/arrangement-lab", f"{number[len(line_exercises())]} exercises check themselves"),
         ("lessons/11-model-and-methods", f"All {len(known)} known simplicial arrangements of "
          f"rank 3 with up to {max(map(len, known))} planes are built, {irrational} of them "

@@ -362,7 +362,7 @@ class Drawing(HintsMixin, Figure):
         **{
             word: use.removeprefix("draw().")
             for word, use in synonyms.PICTURES.items()
-            if "wr" in use
+            if "write" in use
         },
         **dict.fromkeys(
             ("download", "export", "save", "save_as", "to_file", "write_file"), "write(path)"
