@@ -145,7 +145,8 @@ def read_certificate(source: Source) -> dict[str, Any]:
         raise
     except InputError as error:
         raise CertificateError(
-            f"{error}. `equilibrium solve GRASP LOAD --certificate CERT.json` writes a certificate"
+            f"{error}. `equilibrium solve GRASP --wrench F_X F_Y TAU --certificate CERT.json` "
+            "writes a certificate"
         ) from None
 
 

@@ -307,7 +307,7 @@ def test_what_is_no_certificate_says_what_writes_one(capsys, tmp_path, content):
     path = tmp_path / "a.txt"
     path.write_text(content)
     assert main(["verify", str(path)]) == 2
-    answer = "`equilibrium solve GRASP LOAD --certificate CERT.json` writes a certificate"
+    answer = "GRASP --wrench F_X F_Y TAU --certificate CERT.json` writes a certificate"
     assert answer in capsys.readouterr().err
 
 

@@ -121,7 +121,7 @@ def test_a_claim_in_one_line_names_the_parameters_of_a_family(tmp_path, monkeypa
     assert "is false: 16 and -16" in found["evidence"]
     assert main(["try", "regions == k", "--of", "shi(n=2..5)"]) == 2
     assert "did you mean" not in (message := capsys.readouterr().err)
-    assert "'k' is not a quantity; expected one of m, rank" in message
+    assert "'k' is not a quantity; expected one of m (planes), rank" in message
 
 
 def test_pseudolines_of_a_type_are_counted_as_its_planes_are():

@@ -205,10 +205,17 @@ class Parser(argparse.ArgumentParser):
         after = words[words.index(word) + 1 :] if word in words else []
         typed = " ".join([match[2] or "", *takewhile(lambda x: x[:1] != "-", after)])
         numbers = re.findall(r"\b[A-Z]?[0-9]+\b", typed)  # and types, as B3
+        options = [*dropwhile(lambda x: not x.startswith("-"), after)]
+        options = [part for x in options for part in (x.split("=", 1) if x[:2] == "--" else [x])]
         parts = []
         for action in sorted(family._actions, key=lambda x: not x.required):
             usual = "N" in str(action.metavar).split("|") or action.type is integer_argument
-            if action.required or (numbers and usual and action.dest not in _EVERYWHERE):
+            own = {*action.option_strings} - {"-o", *self._option_string_actions}
+            if flag := next((x for x in options[:-1] if x in own), ""):
+                at = options.index(flag)
+                parts.append(f"{flag} {options[at + 1]}")
+                del options[at : at + 2]
+            elif action.required or (numbers and usual and action.dest not in _EVERYWHERE):
                 is_taken = numbers and (usual or not numbers[0].isdecimal())
                 value = numbers.pop(0) if is_taken else "3" * usual
                 usage = family._usage(action) if action.option_strings else str(action.metavar)
@@ -216,7 +223,6 @@ class Parser(argparse.ArgumentParser):
         made = " ".join([family.prog, *parts, "-o FILE.json"])
         then = f"{self.for_files.partition('{}')[0]}FILE.json"
         if not self.for_files:
-            options = [*dropwhile(lambda x: not x.startswith("-"), after)]
             missing = (x for x in self._actions if x.required and x.option_strings)
             rest = shlex.join(options) or " ".join(map(self._usage, missing))
             then = f"{self.prog} FILE.json {rest}".strip()
