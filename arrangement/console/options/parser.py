@@ -150,8 +150,10 @@ class Parser(argparse.ArgumentParser):
                 raise argparse.ArgumentError(action, "it is given twice; give it once")
             self._seen.append(action)
         for word in () if action.option_strings else arg_strings:
-            use = action.dest in self.names and (self._synonym(word) or self._made(word))
-            if use and word not in self.names[action.dest]() and not os.path.lexists(word):
+            known = self.names.get(action.dest)
+            if known is None or os.path.lexists(word) or word in known():
+                continue
+            if use := self._synonym(word) or self._made(word):
                 self.error(use)
         return super()._get_values(action, arg_strings)
 
