@@ -14,6 +14,7 @@ from arrangement.console.number_form import vector
 from arrangement.console.options import values
 from arrangement.console.options.parser import Parser
 from arrangement.numbers.exact import sign_text
+from arrangement.synonyms import EXERCISES, LECTURES
 
 from .console import terminal
 from .errors import InputError, OutOfReachError, WaitingError
@@ -46,16 +47,8 @@ _SYNONYMS = {
     **dict.fromkeys(
         (
             *("characteristic-polynomial", "charpoly", "chambers", "chi", "f-vector", "fvector"),
-            *(
-                "whitney",
-                "info",
-                "number",
-                "polynomial",
-                "regions",
-                "solve",
-                "zaslavsky",
-                "poincare",
-            ),
+            *("info", "number", "poincare", "polynomial", "regions", "solve", "whitney"),
+            "zaslavsky",
         ),
         "arrangement count FILE",
     ),
@@ -73,15 +66,9 @@ _SYNONYMS = {
     ),
     "boolean": "arrangement make coordinate --d 3 -o FILE.json",
     **dict.fromkeys(("explain", "describe"), "arrangement count FILE"),
+    **dict.fromkeys(LECTURES, "arrangement lab -o LAB.html"),
     **dict.fromkeys(
-        (
-            *("course", "demo", "game", "gui", "interactive", "lecture", "lesson", "lessons"),
-            *("notebook", "play", "slides", "tour", "tutorial", "widget"),
-        ),
-        "arrangement lab -o LAB.html",
-    ),
-    **dict.fromkeys(
-        ("exercise", "exercises", "homework", "quiz", "worksheet", "--solutions", "--level"),
+        EXERCISES,
         "arrangement lab -o LAB.html, a page with exercises, which proofs-check grade "
         "arrangement-lab lists",
     ),

@@ -125,7 +125,7 @@ ARRANGEMENT: Mapping[str, Mapping[str, str]] = {
         "from_polymake": "arrangement.read_arrangement(path)",
         "from_sage": "arrangement.read_arrangement(path)",
         "hasse_diagram": "A.draw('lattice')",
-        "n": "len(A)",
+        "n": "len(A) or A.dimension",
         "m": "len(A)",
         "size": "len(A)",
         "ambient_dimension": "A.dimension",
@@ -169,6 +169,25 @@ ARRANGEMENT: Mapping[str, Mapping[str, str]] = {
         "zaslavsky": "A.region_count()",
     },
 }
+
+#: Words of lecturers for commands and options: what a page shows, and what it asks.
+LECTURES = [
+    "course",
+    "demo",
+    "game",
+    "gui",
+    "interactive",
+    "lecture",
+    "lesson",
+    "lessons",
+    "notebook",
+    "play",
+    "slides",
+    "tour",
+    "tutorial",
+    "widget",
+]
+EXERCISES = ["exercise", "exercises", "homework", "quiz", "worksheet", "--solutions", "--level"]
 
 #: Of everything that has a method `draw`: what saves its picture.
 PICTURES: Mapping[str, str] = {

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from arrangement.console import terminal
 from arrangement.console.options.parser import Parser
+from arrangement.synonyms import EXERCISES, LECTURES
 
 from . import draw, info, inputs, resisted, solve, verify
 from .arguments import add_command, built_in
@@ -15,15 +16,9 @@ _QUESTION = "GRASP --wrench F_X F_Y TAU"
 #: Other words for commands and options, with what to write.
 _SYNONYMS = {
     **dict.fromkeys(("example", "examples", "names"), "equilibrium list"),
+    **dict.fromkeys(LECTURES, "equilibrium lab -o LAB.html"),
     **dict.fromkeys(
-        (
-            *("course", "demo", "game", "gui", "interactive", "lecture", "lesson", "lessons"),
-            *("notebook", "play", "slides", "tour", "tutorial", "widget"),
-        ),
-        "equilibrium lab -o LAB.html",
-    ),
-    **dict.fromkeys(
-        ("exercise", "exercises", "quiz", "homework", "worksheet", "--solutions", "--level"),
+        EXERCISES,
         "equilibrium lab -o LAB.html, a page with exercises, which proofs-check grade slip-lab "
         "lists",
     ),
@@ -69,17 +64,8 @@ _SYNONYMS = {
     "limit": f"equilibrium resisted {_QUESTION}, or equilibrium resisted GRASP --smallest",
     **dict.fromkeys(
         (
-            "limits",
-            "max-load",
-            "max-force",
-            "maxforce",
-            "maximum",
-            "optimize",
-            "optimise",
-            "max",
-            "stability",
-            "load",
-            "range-of-loads",
+            *("limits", "load", "max", "max-force", "max-load", "maxforce", "maximum"),
+            *("optimise", "optimize", "range-of-loads", "stability"),
         ),
         f"equilibrium resisted {_QUESTION}",
     ),

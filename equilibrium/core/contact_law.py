@@ -269,7 +269,7 @@ class LinearQuestion:
             forces: list[Terms] = [{}] * len(frame)
         else:
             unknowns = [("normal", i)] if given.spring in ("loose", "undecided") else []
-            pressed, *_ = *unknowns, spring
+            pressed = unknowns[0] if unknowns else spring
             forces, arm = [{pressed: 1}], frame[0]
             least.append(forces[0])
             if given.spring == "undecided":

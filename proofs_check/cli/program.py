@@ -10,6 +10,7 @@ from importlib import import_module
 from arrangement.console import terminal
 from arrangement.console.options import values
 from arrangement.console.options.parser import Parser
+from arrangement.synonyms import EXERCISES, LECTURES
 
 #: Other words for commands and options, with what to write.
 _SYNONYMS = {
@@ -31,10 +32,9 @@ _SYNONYMS = {
     "compare": "proofs-check run ID, which compares two computations",
     **dict.fromkeys(("summary", "all", "verdicts", "--all"), "proofs-check run"),
     **dict.fromkeys(("counterexample", "counterexamples"), "proofs-check run ID --save FOLDER"),
-    **dict.fromkeys(("homework", "exercise", "exercises"), "proofs-check grade arrangement-lab"),
+    **dict.fromkeys(EXERCISES, "proofs-check grade arrangement-lab"),
     **dict.fromkeys(
-        ("demo", "lab", "lesson", "lessons", "play", "quiz", "slides", "tutorial"),
-        "arrangement lab -o LAB.html, or equilibrium lab -o LAB.html",
+        ("lab", *LECTURES), "arrangement lab -o LAB.html, or equilibrium lab -o LAB.html"
     ),
     **dict.fromkeys(("example", "examples"), "proofs-check new NAME --example triangles"),
     **dict.fromkeys(("reproduce", "figures", "tables"), "proofs-check paper -o FOLDER"),

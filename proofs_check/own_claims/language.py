@@ -77,7 +77,7 @@ _SYNONYMS: Mapping[str, str] = {
     "odd": "regions % 2 == 1",
 }
 #: What the letters among the quantities are.
-_LETTERS = {"m": "planes", "n": "the same", "V": "vertices", "E": "edges", "F": "faces"}
+_LETTERS = {"m": "planes", "n": "planes", "V": "vertices", "E": "edges", "F": "faces"}
 _TOKEN = re.compile(r"\w+|\s+|[<>=!]=|.", re.DOTALL)
 #: Signs of mathematics, as Python has them.
 _SIGNS = {"^": "**", "=": "==", "≤": "<=", "≥": ">=", "≠": "!="}
