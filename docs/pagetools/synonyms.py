@@ -21,7 +21,7 @@ class Synonyms(SphinxDirective):
         lines = []
         for heading, words in rows(self.arguments[0]).items():
             lines += [f".. rubric:: {heading}", "", ".. list-table::", "   :header-rows: 1"]
-            lines += ["   :widths: 40 60", "", "   * - there", "     - here"]
+            lines += ["   :widths: 40 60", "", "   * - name or term", "     - slipstates"]
             code = "``" if all(word.isidentifier() for word in words) else ""
             for word, name in words.items():
                 lines += [f"   * - {code}{word}{code}", f"     - ``{name}``"]
