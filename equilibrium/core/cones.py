@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
 
@@ -19,6 +19,7 @@ import numpy as np
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.float_filter import Floats
 
+from .contact_law import ContactState, Side, State as LinearState
 from .float_law import smooth_slip
 
 #: Integer directions in the frame of the tangents; a sector has two, counter-clockwise.
@@ -37,8 +38,6 @@ class Slip(NamedTuple):
 State: TypeAlias = str | Sector | Slip
 #: The states of all contacts.
 Node: TypeAlias = tuple[State, ...]
-#: Of a cone, "zero", "plus" or "round": coefficients (k, 2) of the slip, (k, 3) of the force.
-Condition: TypeAlias = tuple[str, Floats, Floats]
 
 #: Sectors with a smaller sine of their angle are not cut.
 NARROW_SINE = 1e-4
@@ -48,6 +47,8 @@ _WIDE_SECTOR_SIZE = 8
 _SECTOR_SIZE = 64
 #: Sectors whose unit vectors are remembered.
 _CACHED_SECTORS = 4096
+#: What floats are off by at most in the least product of a middle direction with a sector's arc.
+_MIDDLE_ERROR = Fraction(1, 2**48)
 #: From this share of its limit on, smooth friction is that of a slip.
 SLIP_SHARE = 0.9999
 
@@ -56,6 +57,15 @@ def lengths(rows: Floats) -> Floats:
     """Return the lengths of vectors along the tangents, one or two."""
     sizes: Floats = np.hypot.reduce(np.abs(rows), axis=-1)
     return sizes
+
+
+def slip_sides(ends: Sequence[Sequence[Any]]) -> tuple[Side, ...]:
+    """Return the conditions that a slip is along a direction, or between two."""
+    if len(ends) == 1:
+        across = [(True, (-y, x)) for x, y in ends] if len(ends[0]) == 2 else []
+        return ((False, tuple(ends[0])), *across)
+    (x, y), (v, w) = ends
+    return (False, (-y, x)), (False, (w, -v))
 
 
 class OpenSplit(NamedTuple):
@@ -75,22 +85,25 @@ class OpenSplit(NamedTuple):
 class RoundCones:
     """``|c_t| <= mu c_n``, and ``c_t = -mu c_n s / |s|`` at a slip s."""
 
-    def conditions(self, mu: float, state: State) -> list[Condition]:
-        """Return what slip and force obey: minus the rows are in the cones."""
-        conditions: list[Condition] = []
-        if state == "stick":
-            conditions.append(("zero", np.eye(2), np.zeros((2, 3))))
-        elif isinstance(state, tuple):
-            u, v = _units(state)
-            middle = (u + v) / np.hypot(*(u + v))
-            # All between u and v have products with both sides of at least 0.
-            slips = [(u[1], -u[0]), (-v[1], v[0]), (0.0, 0.0)]
-            hull = np.zeros((3, 3))
-            hull[2] = mu * (u @ middle), *middle
-            conditions.append(("plus", np.array(slips), hull))
+    def in_conditions(
+        self, mu: Fraction, state: State, friction: Sequence[Side] = ()
+    ) -> LinearState:
+        """Return a state in linear conditions; in a sector with the chord that closes its arc.
+
+        Args:
+            friction: conditions in place of the round cone, which is not linear.
+        """
+        if isinstance(state, str):
+            return ContactState.of(state, 2, tuple(friction)) if mu else state
+        slip = slip_sides(state)
         if not mu:
-            return [*conditions, ("plus", np.zeros((1, 2)), -np.eye(3)[:1])]
-        return [*conditions, ("round", np.zeros((3, 2)), np.diag([-mu, -1.0, -1.0]))]
+            return ContactState("attached", slip, share=(0, 0))
+        ends = _units(state)
+        middle = ends.sum(axis=0) / np.hypot(*ends.sum(axis=0))
+        # Along the middle the arc is at least as long as at one of its ends.
+        low = Fraction(float((ends @ middle).min())) - _MIDDLE_ERROR
+        chord = False, (-mu * low, *(-Fraction(x) for x in middle.tolist()))
+        return ContactState("attached", slip, (*friction, chord))
 
     def support(self, b: Floats) -> Floats:
         """Return the largest products of b (m, 2) with a unit vector."""
@@ -185,31 +198,30 @@ class Pyramids:
             self.all.append(Slip((normal, self.normals[k]), (edges[k],)))
         self._corners = np.array(edges, dtype=float)
 
-    def conditions(self, mu: float, state: State) -> list[Condition]:
-        """Return what slip and force obey: minus the rows are in the cones."""
-        sides = np.array(self.normals, dtype=float)
-        reach, t = (sides * self._corners).sum(axis=1), sides.shape[1]
-        conditions: list[Condition] = []
-        if state == "stick":
-            conditions.append(("zero", np.eye(t), np.zeros((t, 1 + t))))
-        elif isinstance(state, Slip):
-            ends = np.array(state.ends, dtype=float)
-            corner = np.array(state.edges[0], dtype=float)
-            if len(ends) == 1:
-                if t == 2:
-                    across = [(-ends[0][1], ends[0][0])]
-                    conditions.append(("zero", np.array(across), np.zeros((1, 3))))
-                conditions.append(("plus", -ends, np.zeros((1, 1 + t))))
-                opposite = [(mu * (ends[0] @ corner), *ends[0])]
-            else:
-                (a, b), (c, d) = ends
-                conditions.append(("plus", np.array([(b, -a), (-d, c)]), np.zeros((2, 3))))
-                opposite = [(mu * corner[0], 1, 0), (mu * corner[1], 0, 1)]
-            conditions.append(
-                ("zero", np.zeros((len(opposite), t)), np.array(opposite, dtype=float))
-            )
-        inside = np.column_stack([-mu * reach, sides]) if mu else -np.eye(1 + t)[:1]
-        return [*conditions, ("plus", np.zeros((len(inside), t)), inside)]
+    def in_conditions(self, mu: Fraction, state: State) -> LinearState:
+        """Return a state in linear conditions."""
+        if isinstance(state, str):
+            if not mu or state == "detached":
+                return state
+            return ContactState.of(state, len(self.edges[0]), self._inside(mu))
+        assert isinstance(state, Slip)
+        slip, (corner, *more) = slip_sides(state.ends), state.edges
+        if more and mu:
+            # On the side of the polygon that is opposite.
+            (end,) = state.ends
+            opposite = True, (mu * dot(end, corner), *end)
+            return ContactState("attached", slip, (*self._inside(mu), opposite))
+        return ContactState("attached", slip, share=tuple(-x for x in corner))
+
+    def _inside(self, mu: Fraction) -> tuple[Side, ...]:
+        """Return the conditions that friction is in the polygon."""
+        return tuple((False, (mu * reach, *inward)) for reach, inward in self._sides)
+
+    @cached_property
+    def _sides(self) -> list[tuple[Fraction, RationalVector]]:
+        """How far each side of the polygon is from its middle, and minus its normal."""
+        pairs = zip(self.normals, self.edges, strict=True)
+        return [(dot(normal, edge), tuple(-x for x in normal)) for normal, edge in pairs]
 
     def support(self, b: Floats) -> Floats:
         """Return the largest products of b (m, t) with an edge."""

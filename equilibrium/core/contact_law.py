@@ -158,6 +158,8 @@ class LinearQuestion:
         background: wrench of further contacts, whose states are known, as a row for each number.
         signs: of the slips that these motions allow each contact, 0 for both; none if unknown.
         chords: rows that normal forces are at most at these motions; none if unknown.
+        keeps_normal: whether normal forces of springs are unknowns with an equation each, too:
+            programs in floats solve long sparse rows sooner than short dense ones.
     """
 
     rows: ContactRows
@@ -172,6 +174,7 @@ class LinearQuestion:
     background: tuple[RationalVector, ...] = ()
     signs: tuple[int, ...] = ()
     chords: tuple[RationalVector, ...] = ()
+    keeps_normal: bool = False
 
     @cached_property
     def _frames(self) -> list[list[Terms]]:
@@ -224,7 +227,7 @@ class LinearQuestion:
     def conditions(self, i: int, state: State) -> ContactConditions:
         """Return the law of a contact in a state."""
         if (i, state) not in self._conditions:
-            self._conditions[i, state] = self._law(i, state)
+            self._conditions[i, state] = self.law(i, state)
         return self._conditions[i, state]
 
     def motion_rows(self, i: int, state: State) -> list[tuple[IntegerVector, bool]]:
@@ -252,7 +255,8 @@ class LinearQuestion:
         arms = (arm for end in ends for _, arm in self.conditions(i, end).arms)
         return [tuple(arm.get(j, 0) for j in range(self.rows.n)) for arm in arms]
 
-    def _law(self, i: int, state: State) -> ContactConditions:
+    def law(self, i: int, state: State) -> ContactConditions:
+        """Return the same, which is not kept: of states that seldom return."""
         frame = self._frames[i]
         given = state if isinstance(state, ContactState) else self._state(i, state)
         least: list[Terms] = []
@@ -268,8 +272,11 @@ class LinearQuestion:
             least.append({spring: -1})
             forces: list[Terms] = [{}] * len(frame)
         else:
-            unknowns = [("normal", i)] if given.spring in ("loose", "undecided") else []
+            is_spring = given.spring == "attached"
+            unknowns = [] if is_spring and not self.keeps_normal else [("normal", i)]
             pressed = unknowns[0] if unknowns else spring
+            if is_spring and unknowns:
+                equal.append({pressed: 1, spring: -1})
             forces, arm = [{pressed: 1}], frame[0]
             least.append(forces[0])
             if given.spring == "undecided":

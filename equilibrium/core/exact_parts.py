@@ -24,9 +24,10 @@ from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contacts import FloatContacts
 from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.effort import Effort
+from equilibrium.model.rows import ContactRow
 from equilibrium.model.solution import Leaf, Solution
 
-from .cones import Node, Pyramids, Slip, State as TreeState
+from .cones import Node, Pyramids, RoundCones, Slip, State as TreeState, slip_sides
 from .states import StateBalance, States, rational_direction
 
 #: Sides of the polygons at first.
@@ -36,8 +37,6 @@ _MAX_CUTS = 3
 #: Denominators of half-angle tangents: of directions near the friction, and of cuts.
 _NEAR_DENOMINATOR = 64
 _CUT_DENOMINATOR = 2**20
-#: What is taken off the least product of a middle direction with the arc of a sector.
-_MIDDLE_ERROR = Fraction(1, 2**40)
 #: Motions and forces that balance leaves open are multiples of one over this.
 _OPEN_DENOMINATOR = 2**10
 #: Steps of the rows of a contact, for each unknown.
@@ -76,8 +75,7 @@ class ExactParts:
         """
         around = [[*self.base, *_near(*pair)] for pair in towards.tolist()]
         for _ in range(_MAX_CUTS):
-            frictions = [contact.friction for contact in self.rows]
-            outcome = self._solve(list(map(_outside, frictions, states, around)))
+            outcome = self._solve(list(map(_outside, self.rows, states, around)))
             if not isinstance(outcome, Solution):
                 return outcome
             cut = False
@@ -132,7 +130,7 @@ class ExactParts:
                 decided.append("detached")
             elif states.slipping[i] and share is not None and mu:
                 along = tuple(-x for x in share)
-                decided.append(ContactState("attached", _sides((along,)), share=share))
+                decided.append(ContactState("attached", slip_sides((along,)), share=share))
             elif mu:
                 decided.append(stick(i, mu))
             else:
@@ -171,7 +169,8 @@ class PyramidParts(ExactParts):
     def part(self, states: Sequence[TreeState], towards: Floats) -> Solution | Leaf:
         """Return a leaf, or a point that obeys the relaxed law."""
         pairs = zip(self.rows, states, strict=True)
-        return self._solve([self._state(contact.friction, state) for contact, state in pairs])
+        in_conditions = self.cones.in_conditions
+        return self._solve([in_conditions(contact.friction, state) for contact, state in pairs])
 
     def holds(self, states: Sequence[TreeState]) -> Solution | None:
         """Return an equilibrium with all states decided, if there is one."""
@@ -206,31 +205,6 @@ class PyramidParts(ExactParts):
                 return part
         raise AssertionError("the sectors of a pyramid cover all directions")
 
-    def _state(self, mu: Fraction, state: Any) -> State:
-        """Return a state of a contact in conditions."""
-        sides = tuple(
-            (False, (mu * dot(normal, edge), *(-x for x in normal)))
-            for normal, edge in zip(self.cones.normals, self.cones.edges, strict=True)
-        )
-        if isinstance(state, str):
-            return ContactState.of(state, self.rows.tangents, sides) if mu else state
-        slip, (corner, *more) = _sides(state.ends), state.edges
-        if more and mu:
-            # On the side of the polygon that is opposite.
-            (end,) = state.ends
-            opposite = True, (mu * dot(end, corner), *end)
-            return ContactState("attached", slip, (*sides, opposite))
-        return ContactState("attached", slip, share=tuple(-x for x in corner))
-
-
-def _sides(ends: Sequence[Sequence[Any]]) -> tuple[Side, ...]:
-    """Return the conditions that a slip is along a direction, or between two."""
-    if len(ends) == 1:
-        across = [(True, (-y, x)) for x, y in ends] if len(ends[0]) == 2 else []
-        return ((False, tuple(ends[0])), *across)
-    (x, y), (v, w) = ends
-    return (False, (-y, x)), (False, (w, -v))
-
 
 def _near(x: float, y: float) -> list[RationalVector]:
     """Return the simple unit vector near a direction, if there is one."""
@@ -244,21 +218,10 @@ def _scaled(vector: Sequence[Fraction]) -> list[Fraction]:
     return [x / size for x in vector]
 
 
-def _outside(mu: Fraction, state: Any, directions: Sequence[RationalVector]) -> State:
-    """Return a state with conditions that all forces in the cone fulfil, in a sector all of its."""
-    rows: list[Side] = [(False, (mu, -x, -y)) for x, y in directions]
-    if isinstance(state, str):
-        return ContactState.of(state, 2, tuple(rows)) if mu else state
-    slip = _sides(state)
-    if not mu:
-        return ContactState("attached", slip, share=(0, 0))
-    ends = np.array(state, dtype=float)
-    ends /= np.hypot(ends[:, 0], ends[:, 1])[:, None]
-    middle = [Fraction(x) for x in ends.sum(axis=0).tolist()]
-    # Along the middle the arc is at least as long as at one of its ends.
-    low = Fraction(float((ends @ ends.sum(axis=0)).min())) - _MIDDLE_ERROR
-    rows.append((False, (-mu * low, *(-x for x in middle))))
-    return ContactState("attached", slip, tuple(rows))
+def _outside(contact: ContactRow, state: TreeState, directions: Sequence[RationalVector]) -> State:
+    """Return a state with conditions that all forces in the cone fulfil."""
+    around = [(False, (contact.friction, -x, -y)) for x, y in directions]
+    return RoundCones().in_conditions(contact.friction, state, around)
 
 
 def _inside(mu: Fraction, corners: Sequence[RationalVector]) -> tuple[Side, ...]:

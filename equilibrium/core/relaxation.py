@@ -1,8 +1,7 @@
 """The convex relaxation of a node of the tree in space, solved as a conic program in floats.
 
-Unknowns are the motion and a force at each contact. The law, by the state of a contact, is that of
-`equilibrium.core.contact_law`; with two tangents a contact also slips in a sector of directions,
-with friction in the convex hull of what the sector allows (`equilibrium.core.cones`).
+Unknowns are the motion and a force at each contact. The law, by the state of a contact, is read off
+`equilibrium.core.contact_law`, but for round cones of friction, which are not linear.
 
 Where nothing satisfies it together with balance, the dual ray has a virtual motion and multipliers:
 a leaf. Otherwise its solution says which contact to split.
@@ -24,7 +23,8 @@ from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
 from equilibrium.core.contacts import FloatContacts, nearest
 
-from .cones import Cones, State, lengths
+from .cones import Cones, RoundCones, State, lengths
+from .contact_law import LinearQuestion
 from .continuation import Continuation
 from .float_law import FloatLaw
 
@@ -119,7 +119,8 @@ class _Block(NamedTuple):
     Attributes:
         shape: its number.
         motion: coefficients of the motion that are not 0 by shape, by columns.
-        data: coefficients of the forces by columns.
+        data: coefficients of unknown forces by columns.
+        forces: (f, unknown forces), shares of these in all forces.
         dual: (2 f, rows), what multipliers of the rows are of alpha, h and displacements.
         room: (rows,), where there has to be room in a leaf.
         ends: (k, tangents), unit vectors at the ends of the directions of slip.
@@ -128,6 +129,7 @@ class _Block(NamedTuple):
     shape: int
     motion: Floats
     data: Floats
+    forces: Floats
     right: Floats
     dual: Floats
     room: Floats
@@ -221,11 +223,28 @@ class Programs:
         layout: of a program, by the numbers of its shapes, and the time limit of its solver.
     """
 
-    def __init__(self, contacts: FloatContacts, cones: Cones) -> None:
+    def __init__(self, contacts: FloatContacts, cones: Cones, is_bounded: bool) -> None:
         c, arms = contacts, contacts.arms(1 / contacts.length)
-        self._cones, self._n, self._frame = cones, c.rows.n, 1 + c.rows.tangents
+        self._cones, self._n = cones, c.rows.n
         self._frames = np.concatenate([c.normal[:, None], c.tangents], axis=1) * arms
-        self._springs, self._friction = FloatLaw(*c.in_units(arms, 1.0, 1.0)).spring, c.friction
+        springs = FloatLaw(*c.in_units(arms, 1.0, 1.0)).spring
+        # Its loads do not matter, and displacements are counted in the largest one.
+        self._question = LinearQuestion(
+            c.rows,
+            (Fraction(0),) * c.rows.n,
+            max_displacement=Fraction(1) if is_bounded else None,
+            keeps_normal=True,
+        )
+        m, f, n = self._frames.shape
+        #: Springs, slips and displacements as symbols, and their values, those of a constant last.
+        self._symbols = [
+            [("spring", i), *(("slip", i, j) for j in range(f - 1))]
+            + [("displacement", i, j) for j in range(f)]
+            for i in range(m)
+        ]
+        self._values = np.zeros((m, 2 * f + 1, n + 1))
+        self._values[:, 0] = np.roll(springs, -1, axis=1)
+        self._values[:, 1:-1, :n] = np.concatenate([self._frames[:, 1:], self._frames], axis=1)
         self.shapes: list[_ConeShape] = []
         self._numbers: dict[_ConeShape, int] = {}
         self.block = lru_cache(_MAX_BLOCKS)(self._new_block)
@@ -240,35 +259,37 @@ class Programs:
     def _new_block(
         self, i: int, state: State, hardness: float, pressure: float, most: float
     ) -> _Block:
-        # Of each row: motion, force, end; alpha, h, displacements of a leaf; its room.
-        n, f = self._n, self._frame
-        end, alpha, pins = n + f, n + f + 1, n + 2 * f + 1
-        width = n + 3 * f + 2
-        cones: list[tuple[str, Floats]] = []
-        frame, friction = self._frames[i], self._friction[i]
-        if state != "loose" and most < np.inf:
-            rows = np.zeros((2 * f, width))
-            rows[:f, :n], rows[f:, :n], rows[:, end] = frame, -frame, most
-            rows[:f, pins:-1], rows[f:, pins:-1] = np.eye(f), -np.eye(f)
-            cones.append(("plus", rows))
-        if state != "loose":
-            row, preload = np.zeros((1, width)), pressure * self._springs[i, 0]
-            row[0, :n] = hardness * self._springs[i, 1:]
-            row[0, [n, end, alpha]] = -float(state != "detached"), -preload, 1.0
-            cones.append(("plus" if state in ("undecided", "detached") else "zero", row))
-        if state != "detached":
-            for kind, slips, forces in self._cones.conditions(friction, state):
-                rows = np.zeros((len(slips), width))
-                rows[:, :n], rows[:, n:end] = slips @ frame[1:], forces
-                rows[:, alpha + 1 : pins] = slips
-                cones.append((kind, rows))
-            cones[-1][1][: 1 if cones[-1][0] == "round" else None, -1] = 1.0
-        table = np.concatenate([rows for _, rows in cones])
+        friction, frame = self._question.rows[i].friction, self._frames[i]
+        law = self._question.law(i, self._cones.in_conditions(friction, state))
+        (f, n), count, none = frame.shape, len(law.unknowns), len(law.equal)
+        in_round = isinstance(self._cones, RoundCones) and count == f
+        # A cone allows no pull: beside it that is not a condition of its own.
+        least = [x.terms for x in law.least if count < f or x.terms != {law.unknowns[0]: 1}]
+        rows = [*law.forces, *(x.terms for x in law.equal), *least]
+        # By unknown forces, what has multipliers in a leaf, and a constant.
+        at = {key: k for k, key in enumerate((*law.unknowns, *self._symbols[i], -1))}
+        table = np.zeros((len(rows) + f * in_round, len(at)))
+        for row, terms in enumerate(rows):
+            for key, x in terms.items():
+                table[row, at[key]] = nearest(x)
+        forces, table = table[:f, :count], table[f:]
+        cones = [("zero", none), ("plus", len(least))]
+        if in_round:
+            cones.append(("round", f))
+            table[-f:, :f] = forces * [[nearest(friction)], *[[1.0]] * (f - 1)]
+        values = self._values[i].copy()
+        values[0] *= [*[hardness] * n, pressure]
+        values[-1, -1] = most
+        given = table[:, count:] @ values
+        # Inside a leaf its multipliers have room where forces alone obey a condition.
+        room = np.zeros(len(table))
+        if in_round:
+            room[-f] = 1.0
+        else:
+            room[none:] = ~table[none:, count:].any(axis=1)
         ends = np.array(self._cones.ends(state), dtype=float).reshape(-1, f - 1)
-        felt = np.flatnonzero(table[:, :n].any(axis=1))
-        # A contact without friction has no unknown but its normal force.
-        count = 0 if state == "detached" else f if friction else 1
-        columns = np.concatenate([-frame[:count], table[:, n : n + count].T], axis=1)
+        felt = np.flatnonzero(given[:, :n].any(axis=1))
+        columns = -np.concatenate([forces.T @ frame, table[:, :count].T], axis=1)
         # Zeros of balance are kept, with which the shapes of all contacts are alike; but a contact
         # of many bodies acts on two of them.
         acts = (frame != 0).any(axis=0) | (n <= _MAX_GRASP)
@@ -281,16 +302,17 @@ class Programs:
             tuple((place - n * (place >= n)).tolist()),
             tuple((place >= n).tolist()),
             tuple(np.bincount(column, minlength=count).tolist()),
-            tuple((kind, len(rows)) for kind, rows in cones),
+            tuple((kind, size) for kind, size in cones if size),
             float(state in ("undecided", "loose")),
         )
         return _Block(
             self._number_of(shape),
-            table[felt, :n][:, acts].T.ravel(),
+            -given[felt, :n][:, acts].T.ravel(),
             columns[column, place],
-            table[:, end],
-            table[:, alpha:-1].T,
-            table[:, -1],
+            forces,
+            given[:, n],
+            -table[:, count:-1].T,
+            room,
             ends / lengths(ends)[:, None],
         )
 
@@ -326,13 +348,13 @@ class Relaxation(FloatLaw):
         self.load = smooth.load * self.arms / self.force
         super().__init__(*c.in_units(self.arms, self.force, self.step))
         most = max_displacement
-        self.most = np.inf if most is None else nearest(most) / self.step
+        self.most = 0.0 if most is None else nearest(most) / self.step
         self.settings = _settings()
         # Refined steps take a third of the time, and matter only where sizes are far apart.
         spread = self.stiffness.max(initial=0.0) / self.stiffness.min(initial=np.inf)
         uneven = max(spread, c.friction.max(initial=0.0)) > _EVEN_RATIO
         self.settings.iterative_refinement_enable = bool(uneven)
-        self._programs = programs or Programs(c, cones)
+        self._programs = programs or Programs(c, cones, most is not None)
         pressure = 1 / self.force if c.preload.any() else 0.0
         self._units = float(self.step / self.force), float(pressure), float(self.most)
 
@@ -389,11 +411,9 @@ class Relaxation(FloatLaw):
     def _point(self, program: _ConeProgram, found: Floats) -> Point:
         """Return the motion, and all forces of each contact, of the unknowns."""
         forces, j = np.zeros((self.m, self.frame)), self.n
-        shapes = self._programs.shapes
         for i, block in zip(program.order, program.blocks, strict=True):
-            count = len(shapes[block.shape].columns)
-            forces[i, :count] = found[j : j + count]
-            j += count
+            start, j = j, j + block.forces.shape[1]
+            forces[i] = block.forces @ found[start:j]
         return Point(found[: self.n], forces)
 
     def _ray(self, states: Sequence[State], program: _ConeProgram, dual: Floats) -> Ray:

@@ -118,7 +118,9 @@ class SpatialSearch:
         self.max_displacement, self.cones = max_displacement, cones or RoundCones()
         self.memory = memory or Memory()
         self.root: Node = ("undecided",) * len(contacts.rows)
-        self.memory.programs = self.memory.programs or Programs(contacts, self.cones)
+        self.memory.programs = self.memory.programs or Programs(
+            contacts, self.cones, max_displacement is not None
+        )
         self.relaxation = Relaxation(
             contacts, wrench, self.cones, max_displacement, self.memory.programs
         )

@@ -8,12 +8,13 @@ import pytest
 
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp
-from equilibrium.core.cones import LineCones
+from equilibrium.core.cones import LineCones, Pyramids, RoundCones
 from equilibrium.core.contact_law import ContactState, LinearQuestion, fraction
 from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contacts import FloatContacts
 from equilibrium.core.relaxation import Relaxation
 from equilibrium.grasps.inputs.random import random_grasp, random_wrench
+from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Solution
 
@@ -132,7 +133,7 @@ def test_preloads_grow_by_their_shares(shares, chosen):
 def obeys(question, state, motion, forces):
     """Whether the first contact obeys the exact law of a state."""
     law = question.conditions(0, state)
-    known = {key: forces[0 if key[0] == "normal" else 1] for key in law.unknowns}
+    known = {key: forces[0 if key[0] == "normal" else 1 + key[2]] for key in law.unknowns}
 
     def value(terms):
         at = {-1: 1, **dict(enumerate(motion)), **known}
@@ -146,14 +147,16 @@ def obeys(question, state, motion, forces):
 
 
 def obeys_in_floats(relaxation, state, motion, forces):
-    """The same by the rows of its cone program."""
+    """The same by the rows of its cone program, whose unknown forces are the first ones."""
     program = relaxation._program([state])
-    units = [*motion / relaxation.scale, *np.array(forces) / relaxation.force]
-    left = [*units, 0.0][: program.matrix.shape[1]]
-    rows = (program.right - program.matrix.table() @ left)[len(motion) :]
-    ok, start = not any(forces[len(left) - len(motion) :]), 0
+    scaled, shares = np.array(forces, dtype=float) / relaxation.force, program.blocks[0].forces
+    unknown = scaled[: shares.shape[1]]
+    rows = program.right - program.matrix.table() @ [*motion / relaxation.scale, *unknown]
+    ok, start = np.allclose(shares @ unknown, scaled, rtol=0, atol=1e-9), len(motion)
     for kind in program.layout.kinds[1:]:
         part, start = rows[start : start + kind.dim], start + kind.dim
+        if "SecondOrder" in str(kind):
+            part = part[:1] - np.linalg.norm(part[1:])
         ok &= bool((np.abs(part) < 1e-9 if "Zero" in str(kind) else part > -1e-9).all())
     return ok
 
@@ -176,3 +179,47 @@ def test_cone_programs_of_floats_have_the_exact_law(friction, most):
             answers.append(obeys(question, name, *point))
             assert obeys_in_floats(relaxation, state, *point) == answers[-1], (name, point)
         assert 0 < sum(answers) < len(answers)
+
+
+@pytest.mark.parametrize("friction", [F(0), MU])
+@pytest.mark.parametrize("cones", [RoundCones(), Pyramids(pyramid_edges(4))])
+def test_cone_programs_in_space_hold_what_the_law_allows(friction, cones):
+    """A force at its limit opposite to the slip; and forces too large, or off the spring."""
+    contact = Contact((0, 0, 0), (0, 0, 1), friction, preload=1)
+    question = posed([contact], (0,) * 6)
+    relaxation = Relaxation(FloatContacts(question.rows), question.load, cones)
+    is_round = isinstance(cones, RoundCones)
+    sector = ((4, 1), (1, 4)) if is_round else cones.all[1]
+    direction = (F(3, 5), F(4, 5)) if is_round else cones.all[1].edges[0]
+    columns = zip(*contact.tangential_wrenches, strict=True)
+    slipping = tuple(dot(direction, column) for column in columns)
+    still = (F(0),) * 6
+    for state, motion in (
+        *((name, still) for name in ("loose", "undecided", "attached", "stick")),
+        (sector, slipping),
+    ):
+        for share, pressed, allowed in (
+            (-1, 1, True),
+            (-1, 2, state in ("loose", "undecided")),
+            (-2, 1, not friction),
+            (-1, F(1, 2), state == "loose"),
+        ):
+            forces = pressed, *(friction * pressed * share * x for x in direction)
+            assert obeys_in_floats(relaxation, state, motion, forces) == allowed, (state, forces)
+
+
+def test_slips_of_pyramids_hold_on_their_sides_and_corners_alone():
+    cones, contact = Pyramids(pyramid_edges(6)), Contact((0, 0, 0), (0, 0, 1), MU, preload=1)
+    question = posed([contact], (0,) * 6)
+    relaxation = Relaxation(FloatContacts(question.rows), question.load, cones)
+    columns = list(zip(*contact.tangential_wrenches, strict=True))
+    for slip in cones.all:
+        along = [sum(column) for column in zip(*slip.ends, strict=True)]
+        for edge, (way, size, obeyed) in product(
+            slip.edges, ((1, 1, True), (-1, 1, False), (1, -1, False), (1, 2, False))
+        ):
+            motion = tuple(way * dot(along, column) for column in columns)
+            forces = F(1), *(-size * MU * x for x in edge)
+            state = cones.in_conditions(MU, slip)
+            assert obeys(question, state, motion, forces) == obeyed
+            assert obeys_in_floats(relaxation, slip, motion, forces) == obeyed

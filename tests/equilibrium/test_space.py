@@ -24,7 +24,7 @@ from equilibrium import Grasp, Solution, Verdict, read_grasp, solve, unit_normal
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
 from equilibrium.cli.program import main
-from equilibrium.core.cones import Pyramids, RoundCones
+from equilibrium.core.cones import RoundCones
 from equilibrium.core.contacts import FloatContacts
 from equilibrium.core.exact_parts import ExactParts
 from equilibrium.core.leaves import Leaves, cancelled
@@ -208,26 +208,6 @@ def test_exact_program_of_bounded_displacements_has_a_proof():
 )
 def test_bound_of_friction_is_the_largest_product_in_a_sector(room, b, state, below):
     assert RoundCones().below(room, Fraction(1, 2), b, state) == below
-
-
-def test_conditions_of_pyramids_hold_on_their_sides_and_corners_alone():
-    cones, mu = Pyramids(pyramid_edges(6)), 0.5
-    for slip in cones.all:
-        along = np.sum(slip.ends, axis=0, dtype=float)
-        for edge in slip.edges:
-            friction = -mu * np.array(edge, dtype=float)
-            for way, force, obeyed in (
-                (1, friction, True),
-                (-1, friction, False),
-                (1, -friction, False),
-                (1, 2 * friction, False),
-            ):
-                held = []
-                for kind, moved, pressed in cones.conditions(mu, slip):
-                    assert len(moved) == len(pressed)
-                    values = moved @ (way * along) + pressed @ (1.0, *force)
-                    held += (abs(values) < 1e-9 if kind == "zero" else values < 1e-9).tolist()
-                assert all(held) == obeyed
 
 
 class TestKnownLoads:
