@@ -189,6 +189,41 @@ def test_homework_is_compiled(latex, build):
         assert page_count(compiled(made.parent / "course" / f"sheet-{kind}.tex")) == 1
 
 
+@pytest.fixture
+def media(browser: Browser) -> Iterator[Callable[[str, str], None]]:
+    """Show pages on a medium in a colour scheme."""
+
+    def show(medium: str, scheme: str) -> None:
+        features = [{"name": "prefers-color-scheme", "value": scheme}]
+        emulated = {"media": medium, "features": features}
+        browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", emulated)
+
+    yield show
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {})
+
+
+@pytest.mark.parametrize(
+    ("medium", "scheme", "theme"),
+    [("screen", "light", "light"), ("screen", "dark", "dark"), ("print", "dark", "light")],
+)
+def test_handouts_are_dark_on_dark_screens_alone(
+    build, talks, browser, media, medium, scheme, theme
+):
+    media(medium, scheme)
+    paper = {"light": "rgb(255, 255, 255)", "dark": "rgb(20, 20, 20)"}
+    browser.open(build(LESSON) / "one-solutions.html")
+    assert (
+        browser.run("return getComputedStyle(document.documentElement).backgroundColor")
+        == (paper[theme])
+    )
+    assert browser.run(
+        "return [...document.images].filter((i) => i.offsetParent).map((i) => i.className)"
+    ) == [f"only-{theme}"]
+    browser.open(talks / "course" / f"{LECTURE}-slides.html")
+    slide = "return getComputedStyle(document.querySelector('.slide')).backgroundColor"
+    assert browser.run(slide) == paper[theme]
+
+
 def test_sheets_are_printed(build, browser: Browser):
     made = build(LESSON)
     importlib.import_module("handouts.pdf").main(made.parent)

@@ -20,11 +20,15 @@ from urllib.parse import unquote
 from docutils import nodes
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from latex2mathml.converter import convert
+from pagetools.dark_pictures import darken
+from sphinx.highlighting import PygmentsBridge
 
 from .homework import homework, tex
 from .slides import course, write_slides
 
 KINDS = {"slides": "Slides", "exercises": "Exercise sheet", "solutions": "Solutions"}
+#: The dark style of code of the theme.
+_DARK_CODE = "native"
 #: Of each lesson that was read, its exercises by number.
 _EXERCISES = {}
 _PAGES = Environment(
@@ -94,10 +98,17 @@ def inline(tree, source):
 
 
 def picture(path, alt, shown=""):
-    """Return an image with its data as HTML."""
+    """Return an image with its data as HTML; of an SVG a second one, for dark screens."""
     kind, _ = mimetypes.guess_type(path.name)
-    data = base64.b64encode(path.read_bytes()).decode()
-    return f'<img src="data:{kind};base64,{data}" alt="{escape(alt)}" {shown}>'
+    data = path.read_bytes()
+    themes = {"": data}
+    if path.suffix == ".svg":
+        themes = {"only-light": data, "only-dark": darken(data.decode()).encode()}
+    return "".join(
+        f'<img class="{theme}" src="data:{kind};base64,{base64.b64encode(image).decode()}"'
+        f' alt="{escape(alt)}" {shown}>'
+        for theme, image in themes.items()
+    )
 
 
 def write_sheets(app, name, heading, chosen, **about):
@@ -116,7 +127,9 @@ def write_sheets(app, name, heading, chosen, **about):
         inline(holder, Path(app.srcdir))
         return app.builder.render_partial(holder)["fragment"]
 
+    dark = PygmentsBridge("html", _DARK_CODE).get_stylesheet()
     style = app.builder.highlighter.get_stylesheet()
+    style += f"\n@media screen and (prefers-color-scheme: dark) {{\n{dark}\n}}"
     sheets = {"course": "", "date": "", "due": "", **course(app.srcdir), **about}
     asked = [{**one, "question": html(one["question"]), "answer": ""} for one in chosen]
     solved = [
