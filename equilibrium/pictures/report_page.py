@@ -74,7 +74,10 @@ def report_page(
     sections = [
         _figure(svg),
         _answer(verdict, texts, banner.tone),
-        _card("Margin: how far the load may grow, and what gives", _margin(texts, factors)),
+        _card(
+            "Margin: how far the load may grow, and which contacts give way",
+            _margin(texts, factors),
+        ),
         _card("Closure", _facts(texts, ("force closure", "form closure", "epsilon"))),
         _card("Contacts", _contacts(grasp, texts)),
         _card("Assumptions", _assumptions(grasp, verdict, texts, remarks)),
