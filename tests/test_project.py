@@ -216,7 +216,15 @@ def test_readme_is_true():
         added = ["one"] if "under a hypothesis" in verdict else []
         results.append({"verdict": verdict, "added_hypotheses": added, "as_expected": True})
         results[-1]["evidence_kind"] = claim.kind.value
-    assert summary(results) in text
+    printed = summary(results)
+    assert printed in text
+    counts = re.findall(r"\d+", re.sub(r" \([^)]*\)", "", printed))
+    opening = " ".join(text.partition("<picture>")[0].split())
+    assert re.findall(r"\d+", opening)[:5] == counts
+    assert sum(len(result["added_hypotheses"]) for result in results) == 9
+    assert (
+        f"Nine of the other {int(counts[0]) - int(counts[-1])} need an added hypothesis" in opening
+    )
 
 
 def test_files_of_an_hours_reading_are_short():
