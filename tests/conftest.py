@@ -2,10 +2,12 @@
 
 import functools
 import gc
+import json
 import math
 import os
 import pickle
 from collections.abc import Callable, Generator, Iterator, Sequence
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -116,6 +118,56 @@ def browser() -> Iterator[Browser]:
         pytest.fail(MISSING, pytrace=False)
     with running() as found:
         yield found
+
+
+class Command:
+    """A command of the project, run in this process."""
+
+    def __init__(self, name: str, streams: pytest.CaptureFixture[str]) -> None:
+        self.main = import_module(f"{name}.cli").main
+        self.streams = streams
+        self.out = self.err = ""  # of the last run
+
+    def __call__(self, line: object, *words: object, code: int | None = 0) -> str:
+        """Return what the command prints; it ends with the code: None stands for 0 and 1.
+
+        The line is split at spaces. Each word takes the place of a `{}` or stands after the line;
+        it may contain spaces.
+        """
+        self.streams.readouterr()
+        rest = map(str, words)
+        arguments = [next(rest) if part == "{}" else part for part in str(line).split()]
+        try:
+            ended = self.main([*arguments, *rest])
+        except SystemExit as stop:
+            ended = stop.code
+        self.out, self.err = self.streams.readouterr()
+        assert ended in ((0, 1) if code is None else (code,)), self.err
+        return self.out
+
+    def json(self, line: object, *words: object, code: int | None = 0) -> Any:
+        """Return the document that the command prints with `--json`."""
+        return json.loads(self(line, *words, "--json", code=code))
+
+    def error(self, line: object, *words: object, code: int = 2) -> str:
+        """Return the error of a command that is refused: one line, after notes."""
+        self(line, *words, code=code)
+        *notes, last = self.err.splitlines()
+        assert all(note.startswith(("note: ", "rounded: ")) for note in notes)
+        assert (self.out, last[:7]) == ("", "error: ")
+        return self.err
+
+
+@pytest.fixture
+def run(request: pytest.FixtureRequest, capsys: pytest.CaptureFixture[str]) -> Command:
+    """Return the command of the package whose tests stand in this folder."""
+    return Command(request.path.parent.name, capsys)
+
+
+@pytest.fixture
+def refused(run: Command) -> Callable[..., str]:
+    """Return a function that returns the error of a command line."""
+    return run.error
 
 
 @pytest.fixture

@@ -23,7 +23,6 @@ from equilibrium import (
     solve,
     solve_many,
 )
-from equilibrium.__main__ import main
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.leaves import parts, spatial_leaves, works
 from equilibrium.decide.many_grasps import check_grasps
@@ -247,35 +246,34 @@ def test_changed_adhesion_breaks_a_proof_for_all():
     assert not check(proof)
 
 
-def test_rounded_adhesion_is_not_proved_at_its_limit(tmp_path, capsys):
+def test_rounded_adhesion_is_not_proved_at_its_limit(tmp_path, run):
     path = tmp_path / "a.csv"
     head = "x,y,nx,ny,mu,adhesion,pad\n"
     path.write_text(f"{head}0,1,0.0000009,-1,0.5,10000000,1\n")
-    assert main(["solve", str(path), "--weight", "9999999"]) == 3
-    assert "within the rounding error: proved" not in capsys.readouterr().out
+    assert "within the rounding error: proved" not in run("solve {} --weight 9999999", path, code=3)
 
 
-def test_files_certificates_and_the_checker_keep_adhesion(tmp_path, capsys):
+def test_files_certificates_and_the_checker_keep_adhesion(tmp_path, run):
     table = tmp_path / "a.csv"
     table.write_text(CUPS)
     proof = str(tmp_path / "proof.json")
     for kind in ("csv", "floats"):
         made = str(tmp_path / f"{kind}.json")
-        assert main(["make", kind, str(table), "-o", made]) == 0
+        run("make {} {} -o", kind, table, made)
         for weight, code in (("100", 0), ("101", 1)):
             load = ["--weight", weight]
-            assert main(["solve", made, *load, "--certificate", proof]) == code
+            run("solve", made, *load, "--certificate", proof, code=code)
             for path in (str(table), made):
-                assert main(["verify", proof, "--grasp", path, *load]) == 0
+                assert "adhesion 50" in run("verify {} --grasp", proof, path, *load)
             document = json.loads((tmp_path / "proof.json").read_text())
             assert check(document)
             document["grasp"]["contacts"][0]["adhesion"] = "49" if code == 0 else "53"
             assert not check(document)
-    assert "adhesion 50" in capsys.readouterr().out
     other = tmp_path / "b.csv"
     other.write_text(CUPS.replace("50\n", "51\n", 1))
-    assert main(["verify", proof, "--grasp", str(other), "--weight", "101"]) == 1
-    assert "adhesion of contact 1 is 50; expected 51" in capsys.readouterr().out
+    assert "adhesion of contact 1 is 50; expected 51" in run(
+        "verify {} --grasp {} --weight 101", proof, other, code=1
+    )
 
 
 def test_enclosure_counts_adhesion():
@@ -347,13 +345,12 @@ def test_adhesion_is_exact_and_not_negative(value):
         Contact([0, 0], [0, 1], 0, adhesion=value)
 
 
-def test_answers_in_a_notebook_and_a_report_name_it(tmp_path, capsys):
+def test_answers_in_a_notebook_and_a_report_name_it(tmp_path, run):
     html = solve(HANGING, (0, -99, 0))._repr_html_()
     assert "under w = (0, -99, 0) and the adhesion (0, 100, 0)" in html
     path = tmp_path / "a.csv"
     path.write_text(CUPS)
-    assert main(["info", str(path), "--weight", "99"]) == 0
-    out = capsys.readouterr().out
+    out = run("info {} --weight 99", path)
     for words in ("without adhesion", "1/2     0           adhesion 50", "in [0, 100/99]"):
         assert words in out
 

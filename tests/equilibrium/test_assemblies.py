@@ -32,7 +32,6 @@ from equilibrium import (
 )
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import joint_rows, law_problem
-from equilibrium.cli import main
 from equilibrium.core.cones import LineCones
 from equilibrium.core.contacts import FloatContacts
 from equilibrium.core.tree import SpatialSearch
@@ -660,30 +659,27 @@ class TestCommand:
         STACK.save(path, WEIGHTS)
         return str(path)
 
-    def test_solve_and_verify(self, stack, tmp_path, capsys):
+    def test_solve_and_verify(self, stack, tmp_path, run):
         proof = str(tmp_path / "proof.json")
-        assert main(["solve", stack, "--certificate", proof]) == 0
-        head, *rows = capsys.readouterr().out.splitlines()[-5:]
+        head, *rows = run("solve {} --certificate", stack, proof).splitlines()[-5:]
         assert head.split() == ["bodies", "state", "normal", "tangential"]
         assert rows[2] == "    contact 3  upper on lower       stick  1/2     0"
-        assert main(["verify", proof]) == 0
+        assert "not compared with an assembly" in run("verify", proof)
         assert verify(solve(STACK, WEIGHTS))
         assert verify(solve(STACK, WEIGHTS).certificate)
-        assert "not compared with an assembly" in capsys.readouterr().out
-        assert main(["verify", proof, "--grasp", stack]) == 0
-        assert main(["verify", proof, "--json"]) == 0
+        run("verify {} --grasp", proof, stack)
+        run("verify {} --json", proof)
 
-    def test_wrenches_of_the_file_are_replaced(self, stack, tmp_path, capsys):
+    def test_wrenches_of_the_file_are_replaced(self, stack, tmp_path, run, refused):
         proof = str(tmp_path / "proof.json")
         pushed = ["--on", "upper", "1/3", "-1", "-1/2"]
-        assert main(["solve", stack, *pushed, "--certificate", proof, "--json"]) == 1
-        answer = json.loads(capsys.readouterr().out)
+        answer = run.json("solve", stack, *pushed, "--certificate", proof, code=1)
         assert answer["verdict"] == "not resisted"
         assert answer["wrench"]["lower"] == ["0", "-2", "0"]
-        assert main(["verify", proof, "--grasp", stack]) == 1
-        capsys.readouterr()
-        assert main(["verify", proof, "--grasp", stack, "--wrench", "0", "0", "1"]) == 2
-        assert "--wrench is for one body" in capsys.readouterr().err
+        run("verify {} --grasp", proof, stack, code=1)
+        assert "--wrench is for one body" in refused(
+            "verify {} --grasp {} --wrench 0 0 1", proof, stack
+        )
 
     @pytest.mark.parametrize("limit", [0, -1, float("nan")])
     def test_time_limit_that_is_not_positive_is_refused(self, limit):
@@ -691,91 +687,76 @@ class TestCommand:
             solve(STACK, {}, time_limit=limit)
 
     @pytest.mark.parametrize("wrench", [["0", "-1", "0"], ["0,-1,0"], ["0 -1 0"]])
-    def test_names_with_spaces_stay_whole(self, wrench, tmp_path, capsys):
+    def test_names_with_spaces_stay_whole(self, wrench, tmp_path, run):
         path = str(tmp_path / "stack.json")
-        assert main(["make", "stack", "-o", path]) == 0
-        assert main(["solve", path, "--on", "block 2", *wrench]) == 0
-        assert "block 2 moves by (0, -3/2, 0)" in capsys.readouterr().out
+        run("make stack -o", path)
+        assert "block 2 moves by (0, -3/2, 0)" in run("solve {} --on", path, "block 2", *wrench)
 
     @pytest.mark.parametrize(
         ("options", "words"),
         [
-            (["--wrench", "0", "0", "1"], "--wrench is for one body"),
-            (["--on", "middle", "0", "0", "1"], "one of the bodies"),
-            (["--on", "upper", "0", "x", "1"], "'x'"),
-            (["--on", "upper", "0", "0", "1", "--on", "upper", "0", "0", "1"], "twice"),
-            (["--shorten"], "--shorten is for one body"),
-            (["--as-printed", "signs"], "--as-printed is for one body"),
+            ("--wrench 0 0 1", "--wrench is for one body"),
+            ("--on middle 0 0 1", "one of the bodies"),
+            ("--on upper 0 x 1", "'x'"),
+            ("--on upper 0 0 1 --on upper 0 0 1", "twice"),
+            ("--shorten", "--shorten is for one body"),
+            ("--as-printed signs", "--as-printed is for one body"),
         ],
     )
-    def test_bad_options_are_refused(self, stack, options, words, capsys):
-        try:
-            code = main(["solve", stack, *options])
-        except SystemExit as end:
-            code = end.code
-        assert code == 2
-        assert words in capsys.readouterr().err
+    def test_bad_options_are_refused(self, stack, options, words, refused):
+        assert words in refused(f"solve {{}} {options}", stack)
 
-    def test_wrenches_are_asked_for(self, tmp_path, capsys):
+    def test_wrenches_are_asked_for(self, tmp_path, refused):
         path = tmp_path / "bare.json"
         STACK.save(path)
-        assert main(["solve", str(path)]) == 2
-        assert "--on BODY" in capsys.readouterr().err
-        assert main(["solve", "ladder", "--on", "a", "0", "0", "1"]) == 2
-        assert "--on is for an assembly" in capsys.readouterr().err
-        assert main(["solve", "ladder"]) == 2
-        assert "there is no wrench" in capsys.readouterr().err
+        assert "--on BODY" in refused("solve", path)
+        assert "--on is for an assembly" in refused("solve ladder --on a 0 0 1")
+        assert "there is no wrench" in refused("solve ladder")
 
-    def test_displacements_are_bounded_and_verified(self, stack, tmp_path, capsys):
+    def test_displacements_are_bounded_and_verified(self, stack, tmp_path, run):
         proof = str(tmp_path / "proof.json")
         bound = ["--max-displacement", "1"]
-        assert main(["solve", stack, *bound, "--certificate", proof]) == 1
-        assert main(["verify", proof, "--grasp", stack, *bound]) == 0
-        assert main(["verify", proof, "--grasp", stack]) == 1
-        assert "other displacements" in capsys.readouterr().out
-        assert main(["resisted", stack, "--margin", "--tolerance", "1/8", *bound]) == 1
-        assert "by a factor in [0, 2/3]" in capsys.readouterr().out
+        run("solve", stack, *bound, "--certificate", proof, code=1)
+        run("verify {} --grasp", proof, stack, *bound)
+        assert "other displacements" in run("verify {} --grasp", proof, stack, code=1)
+        assert "by a factor in [0, 2/3]" in run(
+            "resisted {} --margin --tolerance 1/8", stack, *bound, code=1
+        )
 
-    def test_all_equilibria_are_listed(self, stack, capsys):
-        assert main(["solve", stack, "--all"]) == 0
-        assert "contacts 3, 4: 1 family of equilibria" in capsys.readouterr().out
-        assert main(["solve", stack, "--all", "--json"]) == 0
-        listed = json.loads(capsys.readouterr().out)["equilibria"]
+    def test_all_equilibria_are_listed(self, stack, run):
+        assert "contacts 3, 4: 1 family of equilibria" in run("solve {} --all", stack)
+        listed = run.json("solve {} --all", stack)["equilibria"]
         assert [part[0]["contacts"] for part in listed] == [[0, 1], [2, 3]]
-        assert main(["solve", stack, "--all", "--on", "upper", "1", "0", "0"]) == 1
+        run("solve {} --all --on upper 1 0 0", stack, code=1)
 
-    def test_methods_are_compared(self, stack, capsys):
-        assert main(["solve", stack, "--methods"]) == 0
-        lines = capsys.readouterr().out.splitlines()
+    def test_methods_are_compared(self, stack, run, refused):
+        lines = run("solve {} --methods", stack).splitlines()
         assert [line.split()[0] for line in lines] == ["yes", "yes", "yes"]
-        assert main(["solve", stack, "--methods", "weak", "--on", "upper", "1", "0", "0"]) == 1
-        assert main(["solve", stack, "--methods", "--certificate", "a.json"]) == 2
+        run("solve {} --methods weak --on upper 1 0 0", stack, code=1)
+        refused("solve {} --methods --certificate a.json", stack)
 
-    def test_each_body_has_a_wrench_of_its_own(self, stack, capsys):
+    def test_each_body_has_a_wrench_of_its_own(self, stack, run):
         both = ["--on", "lower", "0", "0", "0", "--on", "upper", "0", "-2", "0"]
-        assert main(["solve", stack, *both, "--json"]) == 0
-        wrench = json.loads(capsys.readouterr().out)["wrench"]
+        wrench = run.json("solve", stack, *both)["wrench"]
         assert wrench == {"lower": ["0", "0", "0"], "upper": ["0", "-2", "0"]}
 
-    def test_force_closure_is_of_grasps(self, stack, capsys):
-        assert main(["info", stack, "--force-closure"]) == 2
-        assert "is an assembly of several bodies; expected a grasp" in capsys.readouterr().err
+    def test_force_closure_is_of_grasps(self, stack, refused):
+        assert "is an assembly of several bodies; expected a grasp" in refused(
+            "info {} --force-closure", stack
+        )
 
-    def test_verified_checker_takes_an_assembly(self, stack, tmp_path, capsys, monkeypatch):
+    def test_verified_checker_takes_an_assembly(self, stack, tmp_path, run, monkeypatch):
         proof, program = str(tmp_path / "proof.json"), tmp_path / "proved-checker"
-        main(["solve", stack, "--certificate", proof])
-        capsys.readouterr()
+        run("solve {} --certificate", stack, proof)
         program.write_text('#!/bin/sh\necho "accepted: resisted"\n')
         program.chmod(0o755)
         monkeypatch.setattr(proved, "program", lambda: str(program))
-        assert main(["verify", proof, "--verified", "--grasp", stack]) == 0
-        answer, wrench, *_ = capsys.readouterr().out.splitlines()
+        answer, wrench, *_ = run("verify {} --verified --grasp", proof, stack).splitlines()
         assert answer == "valid: resisted (by the verified checker)"
         assert wrench == "wrench on lower (0, -2, 0)"
         other = str(tmp_path / "other.json")
         STACK.save(other, {"upper": [0, -1, 0]})
-        assert main(["verify", proof, "--verified", "--grasp", other]) == 1
-        assert "another assembly" in capsys.readouterr().out
+        assert "another assembly" in run("verify {} --verified --grasp", proof, other, code=1)
 
 
 class TestPicture:
@@ -813,34 +794,31 @@ class TestPicture:
     def test_nothing_is_drawn_of_nothing(self):
         assert not self.count(Assembly([]))["body"]
 
-    def test_command_draws_files(self, tmp_path, capsys):
+    def test_command_draws_files(self, tmp_path, run, refused):
         path = tmp_path / "stack.json"
         STACK.save(path, WEIGHTS)
-        assert main(["draw", str(path), "-o", str(tmp_path / "a.svg")]) == 0
+        run("draw {} -o", path, tmp_path / "a.svg")
         text = (tmp_path / "a.svg").read_text(encoding="utf-8")
         assert "name-2" in text
         for options, words in (
             (["--wrench", "0", "0", "1"], "--wrench is for one body"),
             (["--view", "proof"], "expected one of assembly"),
         ):
-            assert main(["draw", str(path), *options, "-o", str(tmp_path / "b.svg")]) == 2
-            assert words in capsys.readouterr().err
-        assert main(["draw", str(path), "-o", str(tmp_path / "b.html")]) == 2
-        assert "expected one of" in capsys.readouterr().err
+            assert words in refused("draw", path, *options, "-o", tmp_path / "b.svg")
+        assert "expected one of" in refused("draw {} -o", path, tmp_path / "b.html")
 
 
 class TestTextbookMakers:
     @pytest.mark.parametrize("name", TEXTBOOK)
-    def test_made_by_command_as_by_function(self, name, tmp_path, capsys):
+    def test_made_by_command_as_by_function(self, name, tmp_path, run):
         assembly, wrenches = TEXTBOOK[name]()
         path = tmp_path / "a.json"
-        assert main(["make", name, "-o", str(path)]) == 0
+        run("make {} -o", name, path)
         assert read_assembly(path) == assembly
         written = json.loads(path.read_text("utf-8"))
         validator(assembly_schema()).validate(written)
         assert written == assembly.to_dict(wrenches)
-        assert main(["make", name, "--json"]) == 0
-        assert json.loads(capsys.readouterr().out) == written
+        assert run.json("make", name) == written
         assert solve(assembly, wrenches)
 
     @pytest.mark.parametrize(("name", "case"), [("wedge", 1), ("cylinders", 2), ("ladder", 3)])

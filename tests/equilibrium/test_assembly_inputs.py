@@ -1,6 +1,5 @@
 """Assemblies from tables and touching polygons; their weights, modes and description."""
 
-import json
 import math
 import random
 from fractions import Fraction
@@ -18,7 +17,6 @@ from equilibrium import (
     read_assembly,
     solve,
 )
-from equilibrium.cli import main
 from equilibrium.grasps.inputs.csv_file import read_bodies
 from equilibrium.grasps.schemas import assembly_schema
 from equilibrium.grasps.textbook import stack, wedge
@@ -54,23 +52,22 @@ class TestTable:
         ]
         assert [c.contact.preload for c in assembly.contacts] == [1, 1, 0, 0]
 
-    def test_commands_read_it(self, tmp_path, capsys):
+    def test_commands_read_it(self, tmp_path, run):
         path, out = str(tmp_path / "stack.csv"), str(tmp_path / "stack.json")
         (tmp_path / "stack.csv").write_text(TABLE, encoding="utf-8")
-        assert main(["solve", path, "--on", "upper", "0", "-1", "0"]) == 0
-        assert main(["make", "csv", path, "--units", "m", "N", "-o", out]) == 0
+        run("solve {} --on upper 0 -1 0", path)
+        run("make csv {} --units m N -o", path, out)
         assert read_assembly(out) == read_assembly(path)
         assert str(read_assembly(out).units) == "lengths in m, forces in N, torques in N m"
-        assert main(["info", path, "--modes", "--count"]) == 0
-        assert "100" in capsys.readouterr().out
+        assert "100" in run("info {} --modes --count", path)
 
-    def test_rounded_normals_are_reported(self, tmp_path, capsys):
+    def test_rounded_normals_are_reported(self, tmp_path, run):
         path = tmp_path / "stack.csv"
         path.write_text(TABLE.replace(",90,", ",50,"), encoding="utf-8")
         with pytest.raises(GraspError, match="make csv"):
             read_assembly(path)
-        main(["solve", str(path), "--on", "upper", "0", "-1", "0"])
-        assert "rounded" in capsys.readouterr().err
+        run("solve {} --on upper 0 -1 0", path, code=None)
+        assert "rounded" in run.err
         assert not read_bodies(path)[1].exact
 
     @pytest.mark.parametrize(
@@ -82,11 +79,10 @@ class TestTable:
             (TABLE.replace("-2,0,90", "x,0,90"), "line 2"),
         ],
     )
-    def test_bad_tables_are_refused(self, text, words, tmp_path, capsys):
+    def test_bad_tables_are_refused(self, text, words, tmp_path, refused):
         path = tmp_path / "stack.csv"
         path.write_text(text, encoding="utf-8")
-        assert main(["solve", str(path), "--on", "upper", "0", "-1", "0"]) == 2
-        assert words in capsys.readouterr().err
+        assert words in refused("solve {} --on upper 0 -1 0", path)
 
     @pytest.mark.parametrize("ground", ["ground", "Ground", "fixed", "world", ""])
     def test_ground_is_fixed_as_second_body_and_refused_as_first(self, ground, tmp_path):
@@ -119,15 +115,14 @@ class TestWeight:
         validator(assembly_schema()).validate(assembly.to_dict())
         assert Assembly.from_dict(assembly.to_dict()).weights == assembly.weights
 
-    def test_files_without_wrench_have_the_weights(self, tmp_path, capsys):
+    def test_files_without_wrench_have_the_weights(self, tmp_path, run):
         made = Assembly.from_polygons({"a": box(0, 0)}, "1/2", ground=[FLOOR], density=1)
         made.save(tmp_path / "a.json")
-        assert main(["solve", str(tmp_path / "a.json")]) == 0
-        assert "a moves by (0, -1, 0)" in capsys.readouterr().out
+        assert "a moves by (0, -1, 0)" in run("solve", tmp_path / "a.json")
         push = ["--along", "a", "1", "0", "-1/2"]
-        assert main(["resisted", str(tmp_path / "a.json"), *push]) == 0
         assert (
-            capsys.readouterr().out == "resisted for t in [0, 1]\n  at 1: slips at contacts 1, 2\n"
+            run("resisted", tmp_path / "a.json", *push)
+            == "resisted for t in [0, 1]\n  at 1: slips at contacts 1, 2\n"
         )
 
     def test_certificate_has_no_weights(self):
@@ -293,30 +288,26 @@ class TestModes:
         assert len(two.contacting_separating) == len(one.contacting_separating) ** 2
         assert two.n == 6
 
-    def test_document_of_an_assembly_has_its_modes(self, tmp_path, capsys):
+    def test_document_of_an_assembly_has_its_modes(self, tmp_path, run):
         assembly, loads = wedge()
         modes = ContactModes.from_dict(assembly.to_dict(loads))
         assert modes.normals == ContactModes.of_grasp(assembly).normals
         assembly.save(tmp_path / "a.json", loads)
-        assert main(["info", str(tmp_path / "a.json"), "--modes", "--count", "--json"]) == 0
-        counts = json.loads(capsys.readouterr().out)
+        counts = run.json("info {} --modes --count", tmp_path / "a.json")
         assert counts["sliding_sticking"] == modes.sliding_sticking_count
 
-    def test_info_describes_bodies_and_contacts(self, tmp_path, capsys):
+    def test_info_describes_bodies_and_contacts(self, tmp_path, run, refused):
         assembly, loads = stack()
         assembly.save(tmp_path / "a.json", loads)
-        assert main(["info", str(tmp_path / "a.json")]) == 0
-        text = capsys.readouterr().out
+        text = run("info", tmp_path / "a.json")
         assert "block 2  wrench (0, -1, 0)" in text
         assert "rank             2 of 4 tangential hyperplanes in R^6" in text
         assembly.save(tmp_path / "bare.json")
-        assert main(["info", str(tmp_path / "bare.json"), "--json"]) == 0
-        assert "wrench" not in json.loads(capsys.readouterr().out)
-        assert main(["info", str(tmp_path / "a.json"), "--force-closure"]) == 2
+        assert "wrench" not in run.json("info", tmp_path / "bare.json")
+        refused("info {} --force-closure", tmp_path / "a.json")
 
 
-def test_many_contacts_are_counted(tmp_path, capsys):
+def test_many_contacts_are_counted(tmp_path, run):
     rows = [BodyContact("a", None, Contact((x, 0), (0, 1), 1)) for x in range(25)]
     Assembly(["a"], rows).save(tmp_path / "a.json")
-    assert main(["info", str(tmp_path / "a.json")]) == 0
-    assert "... and 5 contacts more" in capsys.readouterr().out
+    assert "... and 5 contacts more" in run("info", tmp_path / "a.json")

@@ -1,6 +1,5 @@
 """Magnitudes and margins of assemblies: textbook values, planar grasps, brute force, commands."""
 
-import json
 import random
 import re
 from fractions import Fraction
@@ -18,7 +17,6 @@ from equilibrium import (
     ResistedSet,
     solve,
 )
-from equilibrium.cli import main
 from equilibrium.core import contact_law
 from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.core.contact_program import ContactProgram
@@ -253,28 +251,24 @@ class TestCommand:
         assembly.save(path, weights)
         return str(path)
 
-    def test_magnitudes_of_a_push(self, file, capsys):
-        assert main(["resisted", file, "--along", "block 2", "1", "0", "-3/2"]) == 0
-        assert capsys.readouterr().out == PUSHED
+    def test_magnitudes_of_a_push(self, file, run):
+        assert run("resisted {} --along {} 1 0 -3/2", file, "block 2") == PUSHED
         lighter = ["--on", "block 1", "0", "0", "0", "--on", "block 2", "0", "-1/2", "0"]
-        assert main(["resisted", file, "--along", "block 2", "1", "0", "-3/2", *lighter]) == 0
-        assert capsys.readouterr().out == PUSHED.replace("1/2", "1/4").replace("3, 4", "1, 2, 3, 4")
+        assert run("resisted {} --along {} 1 0 -3/2", file, "block 2", *lighter) == PUSHED.replace(
+            "1/2", "1/4"
+        ).replace("3, 4", "1, 2, 3, 4")
 
-    def test_margin_has_the_documents_of_a_grasp(self, file, capsys):
-        assert main(["resisted", file, "--margin", "--json"]) == 0
-        document = json.loads(capsys.readouterr().out)
+    def test_margin_has_the_documents_of_a_grasp(self, file, run):
+        document = run.json("resisted {} --margin", file)
         assert document["intervals"] == [["0", None]]
         assert document["friction"]["high"] == "0"
         tipped = ["--on", "block 2", "1", "-1", "-3/2"]
-        assert main(["resisted", file, "--margin", *tipped]) == 1
-        assert "resisted: no" in capsys.readouterr().out
+        assert "resisted: no" in run("resisted {} --margin", file, *tipped, code=1)
 
-    def test_preload_replaces_that_of_the_file(self, file, capsys):
+    def test_preload_replaces_that_of_the_file(self, file, run):
         push = ["--along", "block 2", "1", "0", "-3/2"]
-        assert main(["resisted", file, *push, "--preload", "1"]) == 0
-        assert capsys.readouterr().out == PUSHED
-        assert main(["solve", file, "--preload", "1"]) == 0
-        assert "block 1 moves by (0, 0, 0)" in capsys.readouterr().out
+        assert run("resisted", file, *push, "--preload", "1") == PUSHED
+        assert "block 1 moves by (0, 0, 0)" in run("solve {} --preload 1", file)
 
     @pytest.mark.parametrize(
         ("command", "lines", "where"),
@@ -284,17 +278,15 @@ class TestCommand:
             (["solve", "--all"], ["resisted: an exact", "all equilibria: undecided"], "equilibria"),
         ],
     )
-    def test_large_part_is_undecided(self, command, lines, where, tmp_path, capsys):
+    def test_large_part_is_undecided(self, command, lines, where, tmp_path, run):
         path = tmp_path / "arch.json"
         assembly, weights = TEXTBOOK["arch"](voussoirs=4)
         assembly.save(path, weights)
         command = [command[0], str(path), *command[1:], "--limit", "0.004"]
-        assert main(command) == 3
-        text = capsys.readouterr().out
+        text = run(*command, code=3)
         assert all(line in text for line in lines)
         assert "the tree of a part with 10 contacts is not closed; --limit 1 allows more" in text
-        assert main([*command, "--json"]) == 3
-        document = json.loads(capsys.readouterr().out)
+        document = run.json(*command, code=3)
         found = document[where] if where else document
         assert found["verdict"] == "undecided"
         assert found["reason"] in text
@@ -310,10 +302,8 @@ class TestCommand:
             (["--along", "block 1", "0", "0", "1", "--contacts", "1"], "goes with --margin"),
         ],
     )
-    def test_bad_options_are_refused(self, file, options, words, capsys):
-        assert main(["resisted", file, *options]) == 2
-        assert words in capsys.readouterr().err
+    def test_bad_options_are_refused(self, file, options, words, refused):
+        assert words in refused("resisted", file, *options)
 
-    def test_grasp_has_no_bodies(self, capsys):
-        assert main(["resisted", "ladder", "--along", "a", "0", "0", "1"]) == 2
-        assert "--along is for an assembly" in capsys.readouterr().err
+    def test_grasp_has_no_bodies(self, refused):
+        assert "--along is for an assembly" in refused("resisted ladder --along a 0 0 1")

@@ -6,7 +6,6 @@ from random import Random
 import pytest
 
 from equilibrium import Contact, Grasp, GraspError, ResistedSet, solve
-from equilibrium.cli.program import main
 from equilibrium.wrench_sets import BestDirection
 
 F = Fraction
@@ -98,19 +97,17 @@ def test_best_direction_of_what_is_no_question():
     assert without.holding == (0, -1)
 
 
-def test_best_direction_on_the_command_line(tmp_path, capsys):
+def test_best_direction_on_the_command_line(tmp_path, run, refused):
     """A block of 60 on a slope of 20 degrees with friction 0.3: 60 sin(20 + 16.7 degrees)."""
     table = tmp_path / "slope.csv"
     table.write_text("x,y,angle,mu\n0,0,110,0.3\n3.7587704831,1.3680805733,110,0.3\n")
     place = ["1.7", "0.95"]
     line = ["resisted", str(table), "--weight", "60", "--at", *place, "--best-direction", *place]
-    assert main(line) == 0
-    out = capsys.readouterr().out
+    out = run(*line)
     assert "that holds it:\n  ≈3.45463 at 3.301 degrees from the x axis" in out
     assert "as it grows:\n  ≈35.8569 at 36.7 degrees from the x axis" in out
-    assert main([*line[:2], "--best-direction", "0", "0", "--base", "0", "-1", "0"]) == 0
-    assert "(0, 0)" in capsys.readouterr().out
-    assert main([*line[:2], "--best-direction", "0", "0", "--smallest"]) == 2
-    assert "--smallest goes with --smallest, not with --best-direction" in capsys.readouterr().err
-    assert main([*line, "--margin"]) == 2
-    assert "--margin goes with a load" in capsys.readouterr().err
+    assert "(0, 0)" in run(*line[:2], "--best-direction", "0", "0", "--base", "0", "-1", "0")
+    assert "--smallest goes with --smallest, not with --best-direction" in refused(
+        *line[:2], "--best-direction", "0", "0", "--smallest"
+    )
+    assert "--margin goes with a load" in refused(*line, "--margin")

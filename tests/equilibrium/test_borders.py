@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given, strategies as st
 
 from equilibrium import Contact, Grasp, ResistedSet, solve
-from equilibrium.cli import main
 from equilibrium.decide.known_loads import Border, KnownMagnitudes
 from equilibrium.model.errors import EquilibriumError
 from equilibrium.wrench_sets import friction, search_map
@@ -124,18 +123,17 @@ class TestInSpace:
         for step in steps:
             check_step(*step)
 
-    def test_an_exact_boundary_is_called_so(self, capsys):
+    def test_an_exact_boundary_is_called_so(self, run):
         grasp = "two-opposed-fingers"
-        assert main(["resisted", grasp, "--wrench", *["0", "1", "0", "0", "0", "0"]]) == 0
-        assert "resisted, then not: the boundary is 1 exactly\n" in capsys.readouterr().out
-        assert main(["resisted", grasp, "--wrench", *["0", "1", "1", "0", "0", "0"]]) == 0
-        assert "the boundary is 0.7071" in capsys.readouterr().out
+        assert "resisted, then not: the boundary is 1 exactly\n" in run(
+            "resisted {} --wrench 0 1 0 0 0 0", grasp
+        )
+        assert "the boundary is 0.7071" in run("resisted {} --wrench 0 1 1 0 0 0", grasp)
 
-    def test_resisted_at_0_only_is_printed(self, tmp_path, capsys):
+    def test_resisted_at_0_only_is_printed(self, tmp_path, run):
         path = tmp_path / "contact.csv"
         path.write_text("x,y,z,nx,ny,nz,mu,q\n1/3,-1,0,1,0,0,1000000,1\n")
-        assert main(["resisted", str(path), "--wrench", *["1", "0", "0", "0", "0", "0"]]) == 0
-        out = capsys.readouterr().out
+        out = run("resisted {} --wrench 1 0 0 0 0 0", path)
         assert out.splitlines()[1:] == ["resisted at 0 only"]
 
     @pytest.mark.parametrize(

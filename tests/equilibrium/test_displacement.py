@@ -14,7 +14,6 @@ from equilibrium import Contact, Grasp, read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.leaves import parts
 from equilibrium.certificate.report import Report
-from equilibrium.cli.program import main
 from equilibrium.decide import engines as deciding, verdict as verdicts
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs.csv_file import parse_csv
@@ -91,7 +90,7 @@ def test_bounded_verdicts_agree_with_brute_force(count):
 @pytest.mark.parametrize("stiffness", [None, 10000])
 @pytest.mark.parametrize("wrench", [OUT, (0, 0, 0)])
 @pytest.mark.parametrize("dimension", [2, 3])
-def test_object_that_leaves_the_hand_has_a_warning(stiffness, wrench, dimension):
+def test_object_that_leaves_the_hand_has_a_warning(stiffness, wrench, dimension, refused):
     grasp = parse_csv(WEDGE).grasp
     if stiffness:
         grasp = Grasp(replace(c, stiffness=Fraction(stiffness)) for c in grasp)
@@ -107,29 +106,27 @@ def test_object_that_leaves_the_hand_has_a_warning(stiffness, wrench, dimension)
     assert refused.verify()
 
 
-def test_wedge_is_not_resisted_with_a_bound(tmp_path, capsys):
+def test_wedge_is_not_resisted_with_a_bound(tmp_path, run):
     path, proof = tmp_path / "wedge.json", tmp_path / "proof.json"
     path.write_text(json.dumps(parse_csv(WEDGE).grasp.with_units("m", "N").to_dict()))
     arguments = ["solve", str(path), "--wrench", "-1", "0", "0"]
-    assert main(arguments) == 0
-    assert warning(every=True) in capsys.readouterr().out
+    assert warning(every=True) in run(*arguments)
     bounded = [*arguments, "--max-displacement", "1/100", "--certificate", str(proof)]
-    assert main(bounded) == 1
-    assert "not resisted, among displacements of contacts up to 1/100" in capsys.readouterr().out
+    assert "not resisted, among displacements of contacts up to 1/100" in run(*bounded, code=1)
     question = ["--grasp", str(path), "--wrench", "-1", "0", "0"]
-    assert main(["verify", str(proof), *question, "--max-displacement", "1/100"]) == 0
-    assert main(["verify", str(proof), *question]) == 1
-    assert main([*arguments, "--max-displacement", "325/2"]) == 0
+    run("verify", proof, *question, "--max-displacement", "1/100")
+    run("verify", proof, *question, code=1)
+    run(*arguments, "--max-displacement", "325/2")
 
 
-def test_displacements_without_stiffness_have_no_unit(capsys, tmp_path):
+def test_displacements_without_stiffness_have_no_unit(run, tmp_path):
     text = WEDGE.replace(",preload", "").replace(",100\n", "\n")
     for given, said in ((text, True), (text.replace("mu", "mu,k").replace("0.5", "0.5,1"), False)):
         path = tmp_path / "wedge.csv"
         path.write_text(given)
-        assert main(["solve", str(path), "--wrench", "-1", "0", "0"]) in (0, 1)
-        main(["solve", str(path), "--wrench", "-1", "0", "0", "--max-displacement", "1"])
-        assert (STIFFNESS_ASSUMED in capsys.readouterr().out) == said
+        for bound in ("", "--max-displacement 1"):
+            out = run(f"solve {{}} --wrench -1 0 0 {bound}", path, code=None)
+            assert (STIFFNESS_ASSUMED in out) == said
     fingers = [Contact((-1, 0), (1, 0), 1), Contact((1, 0), (-1, 0), 1)]
     pinch = Grasp([Contact((0, 0), (0, 1), 1), *fingers]).with_units("m", "N")
     found = solve(pinch, (0, -10, 0))
@@ -141,7 +138,7 @@ def test_displacements_without_stiffness_have_no_unit(capsys, tmp_path):
     assert not any(c.stiffness_given for c in pinch.with_preload(0).in_space())
 
 
-def test_checker_must_accept_a_proof_before_the_verdict_leaves(monkeypatch, capsys):
+def test_checker_must_accept_a_proof_before_the_verdict_leaves(monkeypatch, run):
     grasp = read_grasp(THREE)
     with monkeypatch.context() as forging:
         forging.setattr(verdicts, "proof_report", lambda *_: Report("resisted", "forged"))
@@ -153,8 +150,7 @@ def test_checker_must_accept_a_proof_before_the_verdict_leaves(monkeypatch, caps
     for wrench in ((0, 2, 0), (0, 1, 0)):
         with pytest.raises(EquilibriumError, match="internal error"):
             solve(grasp, wrench)
-    assert main(["solve", THREE, "--wrench", "0", "2", "0"]) == 70
-    assert capsys.readouterr().out == ""
+    assert run("solve {} --wrench 0 2 0", THREE, code=70) == ""
 
 
 @pytest.mark.parametrize(("contacts", "seed"), [(2, 4), (3, 6)])
@@ -350,32 +346,30 @@ def measured(tmp_path_factory):
     return grasp, str(path)
 
 
-def test_without_units_no_motion_is_large(capsys, tmp_path):
+def test_without_units_no_motion_is_large(run, tmp_path):
     """The size of displacements means nothing there, and no verdict depends on it."""
     grasp = read_grasp(THREE)
     assert small_displacement(grasp) is None
     assert solve(grasp, TURNED).warnings == ()
-    assert main(["solve", THREE, "--wrench", "0", "1/2", "1/2"]) == 0
-    assert "beyond" not in capsys.readouterr().out
+    assert "beyond" not in run("solve {} --wrench 0 1/2 1/2", THREE)
     path = tmp_path / "grasp.svg"
     words = ["--wrench", "0", "1/2", "1/2", "-o", str(path), "--text", "text"]
-    assert main(["draw", THREE, *words]) == 0
+    run("draw", THREE, *words)
     assert "beyond" not in path.read_text()
 
 
-def test_only_large_motions_have_a_warning(capsys, measured):
+def test_only_large_motions_have_a_warning(run, measured):
     grasp, path = measured
     assert solve(grasp, (0, -1, 0)).warnings == ()
     assert solve(grasp, TURNED, max_displacement=3).warnings == ()
     (line,) = solve(grasp, TURNED).warnings
     assert line.startswith("beyond small motions: every equilibrium")
     arguments = ["solve", path, "--wrench", "0", "1/2", "1/2"]
-    assert main(arguments) == 0
-    assert capsys.readouterr().out.splitlines()[-1] == line
-    assert main([*arguments, "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["warnings"] == [line]
-    assert main([*arguments, "--max-displacement", "1/10"]) == 1
-    assert "among displacements of contacts up to 1/10" in capsys.readouterr().out
+    assert run(*arguments).splitlines()[-1] == line
+    assert run.json(*arguments)["warnings"] == [line]
+    assert "among displacements of contacts up to 1/10" in run(
+        *arguments, "--max-displacement", "1/10", code=1
+    )
 
 
 def test_one_contact_says_nothing_of_what_is_small():
@@ -384,7 +378,7 @@ def test_one_contact_says_nothing_of_what_is_small():
     assert solve(grasp, (0, -100, 0)).warnings == ()
 
 
-def test_a_picture_says_that_motions_are_not_small(tmp_path, measured):
+def test_a_picture_says_that_motions_are_not_small(tmp_path, measured, run):
     path = tmp_path / "grasp.svg"
     arguments = [
         "draw",
@@ -398,13 +392,13 @@ def test_a_picture_says_that_motions_are_not_small(tmp_path, measured):
         "--text",
         "text",
     ]
-    assert main(arguments) == 0
+    run(*arguments)
     assert "beyond small motions" in path.read_text()
-    assert main([*arguments, "--max-displacement", "1/10"]) == 0
+    run(*arguments, "--max-displacement", "1/10")
     assert "no equilibrium, among displacements of contacts up to 1/10" in path.read_text()
 
 
-def test_a_frictionless_disc_turns_too_far_to_resist_a_torque():
+def test_a_frictionless_disc_turns_too_far_to_resist_a_torque(refused):
     """Normals that miss the centre by 10^-6 hold a torque by a turn without any meaning."""
     small = Fraction(1, 10**6)
     cosine, sine = (1 - small**2) / (1 + small**2), 2 * small / (1 + small**2)

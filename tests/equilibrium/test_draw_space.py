@@ -14,7 +14,6 @@ from arrangement.drawing.layout import lay_out
 from arrangement.drawing.scene import Label, Path as Line, Scene
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, GraspError, Mesh, ResistedSet, read_grasp
-from equilibrium.cli.program import main
 from equilibrium.decide import RESISTED, UNDECIDED
 from equilibrium.pictures import draw_grasp, draw_proof, draw_slice, space_slice
 from equilibrium.pictures.space_grasp import (
@@ -84,7 +83,7 @@ def test_missing_body_drawn_as_dashed_hull():
     assert sum(x.name.startswith("link") for x in flat.items) >= 3
 
 
-def test_forces_and_motion_of_an_equilibrium_are_drawn():
+def test_forces_and_motion_of_an_equilibrium_are_drawn(refused):
     grasp = read_grasp("two-opposed-fingers")
     scene = scene_of(grasp, wrench=WRENCH)
     kinds = {x.name.rsplit("-", 1)[0] for x in scene.items}
@@ -326,9 +325,9 @@ def test_a_set_without_volume_is_no_model(name):
         wrench_set_model(read_grasp(name), ".stl")
 
 
-def test_the_page_tells_exact_conditions(tmp_path):
+def test_the_page_tells_exact_conditions(tmp_path, run):
     command = ["draw", "paper-three-contacts", "--view", "wrench-set"]
-    assert main([*command, "-o", str(tmp_path / "a.html")]) == 0
+    run(*command, "-o", tmp_path / "a.html")
     page = (tmp_path / "a.html").read_text(encoding="utf-8")
     assert page == wrench_set_page(read_grasp("paper-three-contacts"))
     conditions = set(re.findall(r'"condition","([^"]*)"', page))

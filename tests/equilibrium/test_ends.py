@@ -1,13 +1,11 @@
 """What gives at an end of the resisted magnitudes: contacts that slip or lift off, and pads."""
 
-import json
 from fractions import Fraction
 
 import pytest
 from hypothesis import assume, given
 
 from equilibrium import Assembly, BodyContact, Contact, Grasp, ResistedSet, read_grasp, solve
-from equilibrium.cli import main
 from equilibrium.decide.assemblies import ends
 from equilibrium.decide.assemblies.ends import Giving
 from equilibrium.decide.solver import Solver
@@ -160,13 +158,12 @@ class TestPreloads:
         assert found.intervals == ((Fraction(1, 2), None),)
         assert resisted.what_gives(found) == ((Giving((1, 2, 3, 4)), None),)
 
-    def test_of_chosen_contacts_and_one_load(self, capsys):
-        asked = ["resisted", "paper-three-contacts", "--wrench", "0", "1", "0", "--margin"]
-        assert main([*asked, "--contacts", "1", "3"]) == 1
+    def test_of_chosen_contacts_and_one_load(self, run):
+        asked = "resisted paper-three-contacts --wrench 0 1 0 --margin --contacts 1 3"
         line = "resisted with a preload of contacts 1, 3 in [1, oo)\n  at 1: slips at contacts 1, 3"
-        assert line in capsys.readouterr().out
-        assert main([*asked, "--contacts", "1", "3", "--also", "0", "3", "0", "--json"]) == 1
-        assert json.loads(capsys.readouterr().out)["preload"]["gives"] == [[None, None]]
+        assert line in run(asked, code=1)
+        document = run.json(f"{asked} --also 0 3 0", code=1)
+        assert document["preload"]["gives"] == [[None, None]]
 
 
 class TestInSpace:
@@ -184,14 +181,12 @@ class TestInSpace:
         assert (border.resisted, border.exact) == (Fraction(end), True)
         assert found.what_gives() == (gives,)
 
-    def test_what_is_read_off_one_equilibrium_is_called_so(self, capsys):
+    def test_what_is_read_off_one_equilibrium_is_called_so(self, run):
         asked = ["resisted", "two-opposed-fingers", "--wrench", *"011000"]
-        assert main(asked) == 0
         line = "  in an equilibrium at 4587/6487: slips at contacts 1, 2"
-        assert line in capsys.readouterr().out.splitlines()
-        assert main([*asked, "--json"]) == 0
+        assert line in run(*asked).splitlines()
         gives = {"slips": [1, 2], "lifts_off": [], "tips": [], "unloaded": []}
-        assert json.loads(capsys.readouterr().out)["gives"] == [gives]
+        assert run.json(*asked)["gives"] == [gives]
 
     def test_at_0_nothing_is_read_off(self):
         found = ResistedSet(read_grasp("box-on-a-table")).along((0, 0, 1, 0, 0, 0))
@@ -221,12 +216,11 @@ class TestPictures:
         assert limit_words(Solver(Grasp(FEET)), (0, 1, 0)) == []
 
 
-def test_contact_without_force_inside_does_not_slip_at_the_end(tmp_path, capsys):
+def test_contact_without_force_inside_does_not_slip_at_the_end(tmp_path, run):
     """Contact 1 has no force below 20/307, and there in some equilibria alone."""
     path = tmp_path / "grasp.csv"
     path.write_text(
         "x,y,nx,ny,mu,k,q,adhesion\n-3,3,3/5,4/5,1/2,2,0,0\n-1,1,3/5,4/5,1/2,0,1,1\n"
         "-1,0,-4/5,3/5,1/4,1,1,1\n"
     )
-    assert main(["resisted", str(path), "--wrench", "-2", "-2", "-1"]) == 0
-    assert "  at 20/307: slips at contact 3\n" in capsys.readouterr().out
+    assert "  at 20/307: slips at contact 3\n" in run("resisted {} --wrench -2 -2 -1", path)

@@ -1,6 +1,5 @@
 """Force closure with round cones: a proof either way, and the check that it passes."""
 
-import json
 import re
 import sys
 from dataclasses import replace
@@ -16,7 +15,6 @@ from arrangement.errors import MissingExtraError
 from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, GraspWrenchSpace, check_grasps, read_grasp
 from equilibrium.certificate.law import closure_problem, escape_problem
-from equilibrium.cli.program import main
 from equilibrium.core.contact_rows import cone_edge, friction_edges
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods import closure_friction, compare, force_closure
@@ -220,11 +218,6 @@ def test_without_the_cone_programs_pyramids_decide_or_the_extra_is_named(monkeyp
         force_closure(fingers(ROW, HALF, (1, 2, 3, 4)))
 
 
-def told(capsys, *words):
-    code = main(["info", *words])
-    return code, capsys.readouterr().out
-
-
 class TestCommand:
     @pytest.fixture
     def path(self, tmp_path):
@@ -233,28 +226,23 @@ class TestCommand:
         path.write_text("\n".join(["x,y,z,nx,ny,nz,mu", *rows]) + "\n", encoding="utf-8")
         return str(path)
 
-    def test_round_cones_decide(self, path, capsys):
-        assert "force closure    yes (round cones, proved)\n" in told(capsys, path)[1]
-        code, text = told(capsys, path, "--force-closure")
-        assert code == 0
+    def test_round_cones_decide(self, path, run):
+        assert "force closure    yes (round cones, proved)\n" in run("info", path)
+        text = run("info {} --force-closure", path)
         assert text.startswith("force closure    yes (round cones, proved)\n")
         assert "linearised space friction pyramids of 4 edges, inside the round cones:\n" in text
-        code, text = told(capsys, path, "--force-closure", "--json")
-        document = json.loads(text)
-        assert (code, document["force_closure"], document["epsilon_squared"]) == (0, True, "0")
+        document = run.json("info {} --force-closure", path)
+        assert (document["force_closure"], document["epsilon_squared"]) == (True, "0")
         forces = [tuple(map(Fraction, force)) for force in document["balanced_forces"]]
         assert not closure_problem(fingers(TRIANGLE), forces)
 
-    def test_a_no_has_a_motion(self, capsys):
-        code, text = told(capsys, "two-opposed-fingers", "--force-closure")
-        assert code == 1
+    def test_a_no_has_a_motion(self, run):
+        text = run("info two-opposed-fingers --force-closure", code=1)
         assert "free motion      (0, 0, 0, 1, 0, 0): no contact force opposes it\n" in text
-        code, text = told(capsys, "two-opposed-fingers", "--json")
-        assert json.loads(text)["free_motion"] == ["0", "0", "0", "1", "0", "0"]
+        assert run.json("info two-opposed-fingers")["free_motion"] == ["0", "0", "0", "1", "0", "0"]
 
-    def test_a_large_hull_hides_no_answer(self, capsys):
-        code, text = told(capsys, "peg-in-a-hole", "--force-closure")
-        assert code == 0
+    def test_a_large_hull_hides_no_answer(self, run):
+        text = run("info peg-in-a-hole --force-closure")
         assert "force closure    yes (round cones, proved)" in text
         assert "epsilon          not computed: the hull of 6 contacts" in text
 
@@ -305,16 +293,13 @@ def test_least_friction_for_closure_by_hand(places, least):
         assert found.low == least < found.high
 
 
-def test_least_friction_of_the_antipodal_pair_at_20_degrees(tmp_path, capsys):
+def test_least_friction_of_the_antipodal_pair_at_20_degrees(tmp_path, run):
     """Nguyen: each cone has to hold the other finger, so it is tan 20 = 0.36397."""
     table = tmp_path / "pair.csv"
     table.write_text("x,y,angle,mu\n-1,0,20,0.5\n1,0,160,0.5\n")
-    assert main(["info", str(table), "--force-closure"]) == 0
-    assert "least friction   0.36397 (between " in capsys.readouterr().out
-    assert main(["info", "two-opposed-fingers", "--force-closure"]) == 1
-    assert (
-        "least friction   none is enough (the same at all contacts), proved"
-        in capsys.readouterr().out
+    assert "least friction   0.36397 (between " in run("info {} --force-closure", table)
+    assert "least friction   none is enough (the same at all contacts), proved" in run(
+        "info two-opposed-fingers --force-closure", code=1
     )
 
 

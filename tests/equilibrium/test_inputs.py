@@ -13,7 +13,6 @@ from hypothesis import assume, given, settings, strategies as st
 from arrangement.cli import main as arrangement_main
 from arrangement.errors import InputError
 from equilibrium import Circle, Grasp, GraspError, Polygon, read_grasp
-from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import (
     OnEdge,
     from_float_data,
@@ -82,11 +81,7 @@ FLOAT_CSV = f"{HEADER},preload\n-0.1,0,2.5,0,0.3,1\n0.30000000000000004,1e-3,-7e
 
 
 class TestFloatFiles:
-    def call(self, capsys, *arguments):
-        code = main(["make", "floats", *map(str, arguments)])
-        return code, *capsys.readouterr()
-
-    def test_both_forms_are_read_alike(self, tmp_path, capsys):
+    def test_both_forms_are_read_alike(self, tmp_path, run):
         (tmp_path / "data.json").write_text(json.dumps(FLOATS))
         (tmp_path / "data.CSV").write_text(FLOAT_CSV)
         one = read_float_data(tmp_path / "data.json")
@@ -96,20 +91,21 @@ class TestFloatFiles:
             (Fraction(3, 10), Fraction(1, 1000)),
         ]
         assert [c.friction for c in one.grasp] == [Fraction(3, 10), Fraction(1, 2)]
-        code, out, err = self.call(capsys, tmp_path / "data.json", "--units", "m", "N")
-        written = Grasp.from_dict(json.loads(out))
-        assert (code, written, written.units.length) == (0, one.grasp, "m")
-        assert err.startswith("rounded: ")
-        assert "values by" in err
+        written = Grasp.from_dict(
+            json.loads(run("make floats {} --units m N", tmp_path / "data.json"))
+        )
+        assert (written, written.units.length) == (one.grasp, "m")
+        assert run.err.startswith("rounded: ")
+        assert "values by" in run.err
 
-    def test_errors_are_those_of_the_function(self, tmp_path, capsys):
+    def test_errors_are_those_of_the_function(self, tmp_path, run):
         path = tmp_path / "data.json"
         path.write_text(json.dumps(FLOATS))
-        code, out, err = self.call(capsys, path, "--tolerance", "1/100", "--json")
+        document = run.json("make floats {} --tolerance 1/100", path)
         found = from_float_data(
             FLOATS["points"], FLOATS["normals"], [0.3, 0.5], preload=1, tolerance="1/100"
         )
-        assert (code, json.loads(out), err) == (0, found.to_dict(), "")
+        assert (document, run.err) == (found.to_dict(), "")
         assert found.point_errors[1] == Fraction(1e-3)
 
 
@@ -308,18 +304,15 @@ class TestOutlines:
                 for a, b in edges
             )
 
-    def test_the_command_takes_one_for_csv_files(self, tmp_path, capsys):
+    def test_the_command_takes_one_for_csv_files(self, tmp_path, run):
         path = tmp_path / "a.csv"
         path.write_text("x,y,normal_x,normal_y,friction\n-1,0,1,0,0.5\n", encoding="utf-8")
         corners = ["-1,-1", "1,-1", "0,3/2"]
-        assert main(["make", "csv", str(path), "--outline", *corners]) == 0
-        found = json.loads(capsys.readouterr().out)
+        found = json.loads(run("make csv {} --outline", path, *corners))
         assert found["outline"] == [["-1", "-1"], ["1", "-1"], ["0", "3/2"]]
-        assert main(["make", "circle", "--angles", "0", "100", "--friction", "1", "--json"]) == 0
-        first, second = json.loads(capsys.readouterr().out)["angle_errors"]
+        first, second = run.json("make circle --angles 0 100 --friction 1")["angle_errors"]
         assert first == "0" != second
-        assert main(["make", "random", "--contacts", "4", "--seed", "3"]) == 0
-        outline = json.loads(capsys.readouterr().out)["outline"]
+        outline = json.loads(run("make random --contacts 4 --seed 3"))["outline"]
         assert outline == star_outline(random_grasp(4, 3)).to_dict()
 
 
@@ -369,21 +362,19 @@ def other_rounding_of(grasp):
     return other_rounding(exact, 0)
 
 
-def test_commands_take_tables_and_round_normals_on_demand(capsys, tmp_path):
+def test_commands_take_tables_and_round_normals_on_demand(run, tmp_path):
     table, slanted = tmp_path / "grasp.csv", tmp_path / "grasp.json"
     table.write_text("x;y;nx;ny;mu;k;q\n-1;0;2;0;.5;1;1\n0;-1;0;1;1/2;1;1\n1;0;-1;0;1/2;1;1\n")
     document = read_grasp("paper-three-contacts-preload-1").to_dict()
     document["contacts"][0]["normal"] = ["3", "1e-9"]
     slanted.write_text(json.dumps(document))
-    assert main(["solve", str(table), "--wrench", "0,1,0", "--json"]) == 0
-    out = json.loads(capsys.readouterr().out)
-    assert main(["solve", "paper-three-contacts-preload-1", "--wrench", "0,1,0", "--json"]) == 0
-    assert out == json.loads(capsys.readouterr().out)
-    assert main(["lab", str(table), "-o", str(tmp_path / "lab.html")]) == 0
-    assert main(["solve", str(slanted), "--wrench", "0,0,0", "--round-normals"]) in (0, 1)
-    assert "rounded: points by 0, normals by 3.3e-10 radians" in capsys.readouterr().err
-    assert main(["make", "circle", "--angles", "1", "--friction", "1", "--radius", "1e4000"]) == 0
-    assert re.search(r"rounded: points by \S+e\+39\d\d, normals", capsys.readouterr().err)
+    out = run.json("solve {} --wrench 0,1,0", table)
+    assert out == run.json("solve paper-three-contacts-preload-1 --wrench 0,1,0")
+    run("lab {} -o", table, tmp_path / "lab.html")
+    run("solve {} --wrench 0,0,0 --round-normals", slanted, code=None)
+    assert "rounded: points by 0, normals by 3.3e-10 radians" in run.err
+    run("make circle --angles 1 --friction 1 --radius 1e4000")
+    assert re.search(r"rounded: points by \S+e\+39\d\d, normals", run.err)
 
 
 @pytest.mark.parametrize("name", ["points", "normals", "friction", "stiffness", "preload"])
@@ -550,7 +541,7 @@ def written(tmp_path, name, content):
     return path
 
 
-def test_decimals_of_json_are_read_as_those_of_a_table(tmp_path):
+def test_decimals_of_json_are_read_as_those_of_a_table(tmp_path, run):
     contacts = [
         {"point": [-0.1, 1e-1], "normal": [2.0, 0.0], "friction": 0.3, "preload": 1.25},
         {"point": [0.1, 0], "normal": [-0.6, -0.8], "friction": 0.3, "preload": 0},
@@ -561,7 +552,7 @@ def test_decimals_of_json_are_read_as_those_of_a_table(tmp_path):
         found = read_any(written(tmp_path, "a.json", content))
         assert found.grasp == table.grasp
         assert found.exact
-        assert main(["solve", str(tmp_path / "a.json"), "--wrench", "0", "0", "0"]) in (0, 1)
+        run("solve {} --wrench 0 0 0", tmp_path / "a.json", code=None)
     assert found.grasp.contacts[1].normal == (Fraction(-3, 5), Fraction(-4, 5))
     assert not any(c.stiffness_given for c in found.grasp)
     with pytest.raises(InputError, match="characters of a number"):
@@ -610,32 +601,28 @@ def test_pad_bears_a_turn_as_an_even_patch_does(tmp_path):
         read_any(written(tmp_path, "a.json", [{**flat, "pad": -1}]))
 
 
-def test_adhesion_pulls_besides_every_load(tmp_path, capsys):
+def test_adhesion_pulls_besides_every_load(tmp_path, run, refused):
     """A suction cup below holds a load up to its pull; its friction is that of its preload."""
     entry = {"point": [0, 0], "normal": [0, 1], "friction": "1/2"}
     path = str(written(tmp_path, "a.json", [{**entry, "adhesion": 2}]))
     assert read_any(path).grasp.adhesion_wrench == (0, -2, 0)
     for force, code in ((2, 0), (3, 1), (-5, 0)):
-        assert main(["solve", path, "--wrench", "0", str(force), "0"]) == code
-    assert "adhesion pulls against the normal of contact" in capsys.readouterr().err
-    assert main(["resisted", path, "--wrench", "0", "1", "0"]) == 0
-    assert capsys.readouterr().out.startswith("resisted for t in [0, 2]\n")
-    assert main(["info", path, "--wrench", "0", "1", "0", "--json"]) == 0
-    document = json.loads(capsys.readouterr().out)
+        run("solve {} --wrench 0 {} 0", path, force, code=code)
+        assert "adhesion pulls against the normal of contact" in run.err
+    assert run("resisted {} --wrench 0 1 0", path).startswith("resisted for t in [0, 2]\n")
+    document = run.json("info {} --wrench 0 1 0", path)
     assert document["intervals"] == [["0", "2"]]
     for words in (["resisted", path], ["draw", path, "-o", str(tmp_path / "a.svg")]):
-        assert main(words) == 0
-    assert main(["lab", path, "-o", str(tmp_path / "a.html")]) == 2
-    assert "adhesion" in capsys.readouterr().err
+        run(*words)
+    assert "adhesion" in refused("lab {} -o", path, tmp_path / "a.html")
     table = written(tmp_path, "a.csv", "x,y,nx,ny,mu,adhesion\n1,0,0,1,0.5,2\n")
     assert read_csv(table).grasp.adhesion_wrench == (0, -2, -2)
 
 
-def test_report_of_data_and_a_load(tmp_path, capsys):
+def test_report_of_data_and_a_load(tmp_path, run, refused):
     path = str(written(tmp_path, "a.csv", "x,y,angle,mu,q\n-1,0,0,0.5,1\n1,0,180,0.5,1\n"))
     page = tmp_path / "report.html"
-    assert main(["info", path, "--weight", "1/2", "-o", str(page)]) == 0
-    out = capsys.readouterr().out
+    out = run("info {} --weight 1/2 -o", path, page)
     for line in (
         "stiffness        1 (default)",
         "units            not stated",
@@ -650,10 +637,10 @@ def test_report_of_data_and_a_load(tmp_path, capsys):
     text = page.read_text(encoding="utf-8")
     assert text.count("data:image/svg+xml;base64,") == 1
     assert "resisted when scaled by a factor in [0, 2]" in text
-    assert main(["info", path, "--wrench", "0", "5", "0", "--json"]) == 1
-    document = json.loads(capsys.readouterr().out)
+    document = run.json("info {} --wrench 0 5 0", path, code=1)
     assert document["verdict"] == "not resisted"
     assert document["least_preload"] == "5"
     for words in (["--modes"], ["--force-closure"]):
-        assert main(["info", path, *words, "-o", str(page)]) == 2
-        assert "--output goes with the report, not with --" in capsys.readouterr().err
+        assert "--output goes with the report, not with --" in refused(
+            "info", path, *words, "-o", page
+        )

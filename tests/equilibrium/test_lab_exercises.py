@@ -7,7 +7,6 @@ from typing import Any
 import pytest
 
 from equilibrium.certificate.checker import check
-from equilibrium.cli.program import main
 from equilibrium.pictures.lab.page import lab_page, read_start, slip_exercises
 from tests.arrangement.test_lab import checked
 from tests.browser import Browser
@@ -196,10 +195,10 @@ OWN = {
 }
 
 
-def test_a_lecturer_brings_own_exercises(browser, tmp_path):
+def test_a_lecturer_brings_own_exercises(browser, tmp_path, run):
     path, source = tmp_path / "lab.html", tmp_path / "own.json"
     source.write_text(json.dumps(OWN), encoding="utf-8")
-    assert main(["lab", "-o", str(path), "--exercises", str(source)]) == 0
+    run("lab -o {} --exercises", path, source)
     browser.open(path)
     browser.put("exercise", 0)
     assert "<b>Mine</b>" in browser.text("exercise")

@@ -2,7 +2,6 @@
 
 import csv
 import io
-import json
 import zipfile
 
 import numpy as np
@@ -48,47 +47,41 @@ def files(tmp_path, monkeypatch):
     return tmp_path
 
 
-def solved(*words):
-    return main(["solve", *map(str, words)])
+def test_table_answered_on_stdout(run):
+    printed = run("solve grasps.csv --wrenches loads.csv", code=1)
+    assert list(csv.reader(printed.splitlines())) == ANSWERS
 
 
-def test_table_answered_on_stdout(capsys):
-    assert solved("grasps.csv", "--wrenches", "loads.csv") == 1
-    assert list(csv.reader(capsys.readouterr().out.splitlines())) == ANSWERS
-
-
-def test_answers_written_as_csv_and_npz(files, capsys):
+def test_answers_written_as_csv_and_npz(files, run):
     for name in ("answers.csv", "answers.npz"):
-        assert solved("grasps.csv", "--wrenches", "loads.csv", "-o", name) == 1
+        printed = run("solve grasps.csv --wrenches loads.csv -o", name, code=1)
+        assert "2 grasps, 2 loads each: 3 resisted, 3 screened, 1 exact" in printed
     with (files / "answers.csv").open() as lines:
         assert list(csv.reader(lines)) == ANSWERS
     with np.load("answers.npz") as answers:
         assert answers["grasp"].tolist() == ["a", "b, 2"]
         assert answers["resisted"].tolist() == [[True, False], [True, True]]
         assert answers["exact"].tolist() == [[False, False], [True, False]]
-    assert "2 grasps, 2 loads each: 3 resisted, 3 screened, 1 exact" in capsys.readouterr().out
 
 
-def test_one_load_for_all_grasps(capsys):
-    assert solved("grasps.npz", "--force", 0, "-9/10", "--json") == 0
-    document = json.loads(capsys.readouterr().out)
+def test_one_load_for_all_grasps(run):
+    document = run.json("solve grasps.npz --force 0 -9/10")
     assert document["grasps"] == ["1", "2"]
     assert document["resisted"] == [[True], [True]]
-    assert solved("grasps.csv", "--weight", "1.1", "--preload", 2, "--json") == 0
+    run("solve grasps.csv --weight 1.1 --preload 2 --json")
 
 
-def test_loads_of_each_grasp(files, capsys):
+def test_loads_of_each_grasp(files, run):
     rows = ["grasp,f_x,f_y,tau", '"b, 2",0,-1.1,0', "a,0,-0.9,0"]
     (files / "own.csv").write_text("\n".join(rows))
-    assert solved("grasps.csv", "--wrenches", "own.csv", "--json") == 0
-    assert json.loads(capsys.readouterr().out)["resisted"] == [[True], [True]]
+    assert run.json("solve grasps.csv --wrenches own.csv")["resisted"] == [[True], [True]]
     np.savez("own.npz", wrenches=np.array([[[0, -0.9, 0]], [[0, -1.1, 0]]]))
-    assert solved("grasps.npz", "--wrenches", "own.npz") == 0
+    run("solve grasps.npz --wrenches own.npz")
     np.savez("whole.npz", **ARRAYS, wrenches=np.array([[[0, -0.9, 0]], [[0, -1.1, 0]]]))
-    assert solved("whole.npz") == 0
+    run("solve whole.npz")
 
 
-def test_first_grasp_may_have_one_contact(files):
+def test_first_grasp_may_have_one_contact(files, run):
     path = files / "few.csv"
     path.write_text("grasp,x,y,nx,ny,mu\na,-1,0,1,0,1/2\nb,1,0,-1,0,0\nb,0,1,0,-1,1\n")
     many = read_grasps(str(path))
@@ -100,7 +93,7 @@ def test_first_grasp_may_have_one_contact(files):
     assert not rounded
     path.write_text("grasp,x,y,nx,ny,mu\n")
     assert read_grasps(str(path)).names == []
-    assert solved(path, "--weight", 1) == 0
+    run("solve {} --weight 1", path)
 
 
 #: Grasps at their limit of friction, alone and as a line of loads: 2 mu q in all.
@@ -114,7 +107,7 @@ LIMITS = [
 
 
 @pytest.mark.parametrize("column", ["", "angle", "adhesion", "pad"])
-def test_table_answers_as_each_grasp_alone(column, files, capsys):
+def test_table_answers_as_each_grasp_alone(column, files, run):
     """Whatever floats make of the numbers: at the limit resisted, a little beyond it not."""
     header = {"angle": "x,y,angle,mu,q"}.get(column, "x,y,nx,ny,mu,q")
     more = {"adhesion": [",adhesion", ",0.3", ",0.3"], "pad": [",pad", ",1/3", ",0"]}
@@ -129,74 +122,70 @@ def test_table_answers_as_each_grasp_alone(column, files, capsys):
         beyond = f"{load.split()[1]}00000000000000000001" if "." in load else "3"
         for force in (load.split()[1], beyond, "0")[: 1 + k % 3]:
             loads.append(f"g{k},0,{force},0")
-            code = solved("alone.csv", "--wrench", "0", force, "0")
-            answers.append([f"g{k}", "resisted" if code == 0 else "not resisted"])
+            printed = run("solve alone.csv --wrench 0 {} 0", force, code=None)
+            answers.append([f"g{k}", printed.partition(":")[0].split("\n")[0]])
     (files / "all.csv").write_text("\n".join(rows))
     (files / "own.csv").write_text("\n".join(loads))
-    capsys.readouterr()
-    assert solved("all.csv", "--wrenches", "own.csv") == 1
-    lines = list(csv.reader(capsys.readouterr().out.splitlines()))[1:]
+    printed = run("solve all.csv --wrenches own.csv", code=1)
+    lines = list(csv.reader(printed.splitlines()))[1:]
     assert [[name, answer] for name, _, answer, *_ in lines] == answers
     assert {"resisted", "not resisted"} == {answer for _, answer in answers}
     assert [line[1] for line in lines] == list("112123112")
 
 
-def test_typed_numbers_are_exact_for_arrays(files, capsys):
+def test_typed_numbers_are_exact_for_arrays(files, run):
     """Floats of a file are binary fractions, and what is typed is what is written."""
     jaws = {"points": [[[-1, 0], [1, 0]]], "normals": [[[1, 0], [-1, 0]]], "friction": 0.5}
     np.savez("jaws.npz", **jaws, preload=1)
     (files / "third.csv").write_text("f_x,f_y,tau\n0,1/3,0\n0,0.33333333333333333334,0\n")
-    assert solved("jaws.npz", "--preload", "1/3", "--wrenches", "third.csv") == 1
-    answers = [line.split(",")[2] for line in capsys.readouterr().out.splitlines()[1:]]
+    printed = run("solve jaws.npz --preload 1/3 --wrenches third.csv", code=1)
+    answers = [line.split(",")[2] for line in printed.splitlines()[1:]]
     assert answers == ["resisted", "not resisted"]
-    assert solved("jaws.npz", "--preload", "1/3", "--wrench", 0, "1/3", 0) == 0
-    assert solved("jaws.npz", "--wrench", 0, "1.00000000000000000001", 0) == 1
+    run("solve jaws.npz --preload 1/3 --wrench 0 1/3 0")
+    run("solve jaws.npz --wrench 0 1.00000000000000000001 0", code=1)
     for size in ("1e-400", "1e400"):
-        assert solved("jaws.npz", "--preload", size, "--wrench", 0, size, 0) == 0
+        run(f"solve jaws.npz --preload {size} --wrench 0 {size} 0")
         (files / "far.csv").write_text(f"grasp,x,y,nx,ny,mu,q\na,0,0,{size},0,0.5,{size}\n")
-        assert solved("far.csv", "--wrench", f"-{size}", 0, 0) == 0
-        assert solved("far.csv", "--wrench", f"-{size}", size, 0) == 1
+        run(f"solve far.csv --wrench -{size} 0 0")
+        run(f"solve far.csv --wrench -{size} {size} 0", code=1)
 
 
-def test_rounded_normals_are_said(files, capsys):
+def test_rounded_normals_are_said(files, run):
     (files / "tilted.csv").write_text("grasp,x,y,nx,ny,mu,q\na,-1,0,1,1,1,1\na,1,0,-1,0,1,1\n")
-    assert solved("tilted.csv", "--wrench", 0, -1, 0, "--json") in (0, 1)
-    found = capsys.readouterr()
-    assert json.loads(found.out)["as_rounded"]
-    assert f"normals were rounded; answers are {AS_ROUNDED}" in found.err
+    assert run.json("solve tilted.csv --wrench 0 -1 0", code=None)["as_rounded"]
+    assert f"normals were rounded; answers are {AS_ROUNDED}" in run.err
 
 
-def test_grasps_in_space_read(files, capsys):
+def test_grasps_in_space_read(files, run):
     lines = ["grasp,x,y,z,nx,ny,nz,friction,preload"]
     lines += [f"{g},0,0,{z},0,0,{-z},1/2,1" for g in "ab" for z in (1, -1)]
     (files / "space.csv").write_text("\n".join(lines))
     (files / "six.csv").write_text("f_x,f_y,f_z,tau_x,tau_y,tau_z\n0,0.5,0,0,0,0\n")
-    assert solved("space.csv", "--wrenches", "six.csv", "--json") == 0
-    assert json.loads(capsys.readouterr().out)["resisted"] == [[True], [True]]
+    assert run.json("solve space.csv --wrenches six.csv")["resisted"] == [[True], [True]]
 
 
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["grasps.csv"], "the grasps have no loads"),
-        (["grasps.csv", "--wrenches", "grasps.csv"], "the columns are grasp, x"),
-        (["loads.csv", "--wrenches", "loads.csv"], "the column x is missing"),
-        (["grasps.csv", "--weight", "1", "--shorten"], "--shorten is for one body, not for a file"),
-        (["grasps.csv", "--weight", "1", "--as-printed", "signs"], "--as-printed is for one body"),
-        (["one.csv", "--weight", "1", "--jobs", "2"], "--jobs is for a file of many grasps, not"),
-        (["no.npz", "--weight", "1"], "No such file"),
-        (["text.npz", "--weight", "1"], "text.npz is not an NPZ file of arrays"),
-        (["objects.npz", "--weight", "1"], "objects.npz is not an NPZ file of arrays"),
-        (["other.npz", "--weight", "1"], "other.npz has no array points"),
-        (["more.npz", "--weight", "1"], "more.npz has the array 'extra'"),
-        (["letters.csv", "--weight", "1"], "line 2: x is 'left'"),
-        (["grasps.csv", "--wrenches", "half.csv"], "half.csv has no loads of the grasp 'b, 2'"),
-        (["grasps.csv", "--wrench", "0", "0", "1", "0", "0", "0"], "wrench has 6 entries"),
-        (["bodies.csv", "--weight", "1"], "the column 'body_a' is unknown"),
-        (["grasps.csv", "--wrenches", "third.csv"], "loads of 'c'; expected names of grasps"),
+        ("grasps.csv", "the grasps have no loads"),
+        ("grasps.csv --wrenches grasps.csv", "the columns are grasp, x"),
+        ("loads.csv --wrenches loads.csv", "the column x is missing"),
+        ("grasps.csv --weight 1 --shorten", "--shorten is for one body, not for a file"),
+        ("grasps.csv --weight 1 --as-printed signs", "--as-printed is for one body"),
+        ("one.csv --weight 1 --jobs 2", "--jobs is for a file of many grasps, not"),
+        ("no.npz --weight 1", "No such file"),
+        ("text.npz --weight 1", "text.npz is not an NPZ file of arrays"),
+        ("objects.npz --weight 1", "objects.npz is not an NPZ file of arrays"),
+        ("other.npz --weight 1", "other.npz has no array points"),
+        ("more.npz --weight 1", "more.npz has the array 'extra'"),
+        ("letters.csv --weight 1", "line 2: x is 'left'"),
+        ("grasps.csv --wrenches half.csv", "half.csv has no loads of the grasp 'b, 2'"),
+        ("grasps.csv --wrench 0 0 1 0 0 0", "wrench has 6 entries"),
+        ("bodies.csv --weight 1", "the column 'body_a' is unknown"),
+        ("grasps.csv --wrenches third.csv", "loads of 'c'; expected names of grasps"),
     ],
 )
-def test_bad_files_refused(words, message, files, capsys):
+def test_bad_files_refused(words, message, files, refused):
     (files / "one.csv").write_text("x,y,nx,ny,mu\n-1,0,1,0,0.5\n")
     (files / "text.npz").write_text("points")
     (files / "bodies.csv").write_text("grasp,body_a,body_b,x,y,nx,ny,mu\n")
@@ -206,19 +195,17 @@ def test_bad_files_refused(words, message, files, capsys):
     (files / "letters.csv").write_text("grasp,x,y,nx,ny,mu\na,left,0,1,0,0.5\n")
     (files / "half.csv").write_text("grasp,f_x,f_y,tau\na,0,0,0\n")
     (files / "third.csv").write_text('grasp,f_x,f_y,tau\na,0,0,0\n"b, 2",0,0,0\nc,0,0,0\n')
-    assert solved(*words) == 2
-    assert message in capsys.readouterr().err.splitlines()[-1]
+    assert message in refused(f"solve {words}")
 
 
 @pytest.mark.parametrize("count", [10**13, 10**30])
-def test_array_larger_than_its_file_refused(files, count, capsys):
+def test_array_larger_than_its_file_refused(files, count, refused):
     header = io.BytesIO()
     shape = {"descr": "<f8", "fortran_order": False, "shape": (count, 2, 2)}
     np.lib.format.write_array_header_1_0(header, shape)
     with zipfile.ZipFile("large.npz", "w") as archive:
         archive.writestr("points.npy", header.getvalue())
-    assert solved("large.npz", "--weight", "1") == 2
-    assert "an array claims more than is in the file" in capsys.readouterr().err
+    assert "an array claims more than is in the file" in refused("solve large.npz --weight 1")
 
 
 @pytest.mark.parametrize("count", [20, pytest.param(2000, marks=pytest.mark.slow)])
@@ -227,7 +214,7 @@ def test_damaged_archives_are_bad_input(count, files, capsys):
     kinds = len(HEADERS) + 4
     for number, content in enumerate(mutants((files / "whole.npz").read_bytes(), count, 1)):
         (files / "damaged.npz").write_bytes(content)
-        code = solved("damaged.npz", "--weight", "1")
+        code = main(["solve", "damaged.npz", "--weight", "1"])
         assert code == 2 or (number >= kinds and code in (0, 1)), number
         if code == 2:
             message = capsys.readouterr().err

@@ -8,7 +8,6 @@ import pytest
 
 from equilibrium import Assembly, Contact, Grasp, ResistedSet, solve
 from equilibrium.certificate.checker import check
-from equilibrium.cli.program import main
 from equilibrium.grasps.inputs.csv_file import parse_csv
 from equilibrium.grasps.schemas import assembly_schema
 from equilibrium.model.labels import AS_ROUNDED
@@ -66,7 +65,7 @@ def smooth_question(seed):
     return grasp, load
 
 
-def test_disc_in_a_groove_depends_on_the_rounding(tmp_path, capsys):
+def test_disc_in_a_groove_depends_on_the_rounding(tmp_path, run):
     verdict = solve(parse_csv(DISC).grasp, (0, -1, 0))
     found = verdict.rounding
     assert (verdict.verdict, verdict.answer) == ("not resisted", "depends on the rounding")
@@ -77,12 +76,11 @@ def test_disc_in_a_groove_depends_on_the_rounding(tmp_path, capsys):
     assert found.change["normal"] <= error.angle
     path = tmp_path / "disc.csv"
     path.write_text(DISC)
-    assert main(["solve", str(path), "--weight", "1"]) == 3
-    assert capsys.readouterr().out.startswith("depends on the rounding: resisted for")
-    assert main(["resisted", str(path), "--weight", "1"]) == 3
-    assert (
-        "depends on the rounding: resisted for t in [0, oo), for other data"
-        in capsys.readouterr().out
+    assert run("solve {} --weight 1", path, code=3).startswith(
+        "depends on the rounding: resisted for"
+    )
+    assert "depends on the rounding: resisted for t in [0, oo), for other data" in run(
+        "resisted {} --weight 1", path, code=3
     )
 
 
@@ -115,7 +113,7 @@ def test_grooves_in_the_plane_are_met():
     assert met >= 2
 
 
-def test_answer_that_is_not_proved_says_so(tmp_path, capsys):
+def test_answer_that_is_not_proved_says_so(tmp_path, run):
     """One smooth contact under a load along its normal, whose length is irrational."""
     grasp = parse_csv("x,y,nx,ny,mu\n0,0,1,2,0\n").grasp
     verdict = solve(grasp, (-1, -2, 0))
@@ -127,12 +125,9 @@ def test_answer_that_is_not_proved_says_so(tmp_path, capsys):
     grasp.save(path)
     words = [str(path), "--wrench", "-1", "-2", "0"]
     for command, code in (("solve", 1), ("info", 1)):
-        assert main([command, *words]) == code
-        assert verdict.answer in capsys.readouterr().out
-    assert main(["resisted", *words, "--margin"]) == 1
-    assert f"resisted: no, {AS_ROUNDED}" in capsys.readouterr().out
-    assert main(["solve", *words, "--json"]) == 1
-    assert json.loads(capsys.readouterr().out)["within_error"]["answer"] == verdict.answer
+        assert verdict.answer in run(command, *words, code=code)
+    assert f"resisted: no, {AS_ROUNDED}" in run("resisted", *words, "--margin", code=1)
+    assert run.json("solve", *words, code=1)["within_error"]["answer"] == verdict.answer
 
 
 BODIES = """body_a,body_b,x,y,nx,ny,mu
@@ -144,34 +139,34 @@ top,ground,6,0,0,1,0.5
 
 
 @pytest.mark.parametrize("form", ["csv", "json"])
-def test_bodies_depend_on_the_rounding_as_a_grasp_does(form, tmp_path, capsys):
+def test_bodies_depend_on_the_rounding_as_a_grasp_does(form, tmp_path, run, refused):
     path = tmp_path / f"bodies.{form}"
     load = ["--on", "disc", "0", "-1", "0", "--on", "top", "0", "-1", "-5"]
     options = []
     (tmp_path / "bodies.csv").write_text(BODIES)
     if form == "json":
-        assert main(["make", "csv", str(tmp_path / "bodies.csv"), "-o", str(path)]) == 0
+        run("make csv {} -o", tmp_path / "bodies.csv", path)
         document = json.loads(path.read_text())
         validator(assembly_schema()).validate(document)
         del document["data_error"]
         for entry, row in zip(document["contacts"], BODIES.splitlines()[1:], strict=True):
             entry["normal"] = row.split(",")[4:6]
         path.write_text(json.dumps(document))
-        assert main(["solve", str(path), *load]) == 2
+        refused("solve", path, *load)
         options = ["--round-normals"]
-    capsys.readouterr()
-    assert main(["solve", str(path), *load, *options]) == 3
-    assert capsys.readouterr().out.startswith("depends on the rounding: resisted for")
-    assert main(["solve", str(path), *load, *options, "--json"]) == 3
-    found = json.loads(capsys.readouterr().out)
+    assert run("solve", path, *load, *options, code=3).startswith(
+        "depends on the rounding: resisted for"
+    )
+    found = run.json("solve", path, *load, *options, code=3)
     assert found["verdict"] == found["within_error"]["answer"] == "depends on the rounding"
     # No smooth disc in a groove takes a torque.
     free = ["--on", "disc", "0", "0", "1", "--on", "top", "0", "-1", "-5"]
-    assert main(["solve", str(path), *free, *options, "--as-given"]) == 1
-    assert "not resisted for all data within the rounding error" in capsys.readouterr().out
+    assert "not resisted for all data within the rounding error" in run(
+        "solve", path, *free, *options, "--as-given", code=1
+    )
 
 
-def test_rounded_bodies_are_proved_for_all(tmp_path, capsys):
+def test_rounded_bodies_are_proved_for_all(tmp_path, run):
     path, proof = tmp_path / "bodies.csv", tmp_path / "proof.json"
     # Two bodies between jaws, along a direction without a rational length.
     rows = [
@@ -181,19 +176,17 @@ def test_rounded_bodies_are_proved_for_all(tmp_path, capsys):
     ]
     path.write_text("\n".join(["body_a,body_b,x,y,nx,ny,mu,q", *rows]))
     down = ["--on", "a", "0", "-0.1", "0", "--on", "b", "0", "-0.1", "-0.1"]
-    assert main(["solve", str(path), *down]) == 0
-    assert "resisted for all data within the rounding error: proved" in capsys.readouterr().out
+    assert "resisted for all data within the rounding error: proved" in run("solve", path, *down)
     held, loose = tmp_path / "bodies.csv", tmp_path / "loose.csv"
     loose.write_text("\n".join(["body_a,body_b,x,y,nx,ny,mu,q", *rows[:4]]))
     away = ["--on", "b", "1", "2.1", "0"]
-    assert main(["solve", str(loose), *away]) == 1
-    assert "not resisted for all data within the rounding error" in capsys.readouterr().out
+    assert "not resisted for all data within the rounding error" in run(
+        "solve", loose, *away, code=1
+    )
     for path, load, kind in ((held, down, "resisted"), (loose, away, "not resisted")):
         bounds = ["--robust", "degrees=1/10", "friction=1%"]
-        assert main(["solve", str(path), *load, *bounds, "--certificate", str(proof)]) == 0
-        capsys.readouterr()
-        assert main(["verify", str(proof)]) == 0
-        assert f"valid: {kind}, for all normals within 0.1 degrees" in capsys.readouterr().out
+        run("solve", path, *load, *bounds, "--certificate", proof)
+        assert f"valid: {kind}, for all normals within 0.1 degrees" in run("verify", proof)
 
 
 def proof_between_bodies(load):
@@ -222,14 +215,13 @@ def test_forged_proofs_between_bodies_are_refused(change, words):
     assert "work" in check(no | {"bounds": {"degrees": "40"}}).problem
 
 
-def test_ends_of_bodies_depend_on_the_rounding(tmp_path, capsys):
+def test_ends_of_bodies_depend_on_the_rounding(tmp_path, run):
     path = tmp_path / "bodies.csv"
     path.write_text(BODIES)
     on_top = ["--on", "top", "0", "-1", "-5"]
-    assert main(["resisted", str(path), *on_top, "--along", "disc", "0", "-1", "0"]) == 3
-    assert (
-        "depends on the rounding: resisted for t in [0, oo), for other data"
-        in capsys.readouterr().out
+    assert "depends on the rounding: resisted for t in [0, oo), for other data" in run(
+        "resisted", path, *on_top, "--along", "disc", "0", "-1", "0", code=3
     )
-    assert main(["solve", str(path), *on_top, "--on", "disc", "0", "-1", "0", "--methods"]) == 3
-    assert "depends on the rounding: resisted for" in capsys.readouterr().out
+    assert "depends on the rounding: resisted for" in run(
+        "solve", path, *on_top, "--on", "disc", "0", "-1", "0", "--methods", code=3
+    )

@@ -14,7 +14,6 @@ from arrangement.errors import InputError, OutOfReachError
 from arrangement.numbers.budget import limit
 from arrangement.numbers.exact import dot
 from equilibrium import GraspError, Mesh
-from equilibrium.cli import main
 from equilibrium.grasps.inputs import on_mesh
 from equilibrium.grasps.inputs.mesh import Surface
 from equilibrium.grasps.inputs.mesh_files import READERS, read_triangles
@@ -382,16 +381,13 @@ def test_points_beyond_floats_are_refused_directions_are_not(cube):
     assert far.grasp == on_mesh(cube, 1, random=1, facing=(1, 0, 0)).grasp
 
 
-def test_the_command(cube, capsys):
+def test_the_command(cube, run, refused):
     call = ["make", "mesh", str(cube), "--friction", "1/2", "--at"]
-    assert main([*call, "1", "1/5", "0", "1/3", "1.01", "0", "--units", "mm", "N"]) == 0
-    printed = capsys.readouterr()
-    document = json.loads(printed.out)
+    units = ["--units", "mm", "N"]
+    document = json.loads(run(*call, "1", "1/5", "0", "1/3", "1.01", "0", *units))
     assert len(document["contacts"]) == 2
     assert document["units"] == {"length": "mm", "force": "N"}
-    assert printed.err == "rounded: points by 0.01, normals by 0 radians\n"
-    assert main([*call, "1", "1/5", "0", "--at", "1/3", "1.01", "0", "--units", "mm", "N"]) == 0
-    assert json.loads(capsys.readouterr().out) == document
-    with pytest.raises(SystemExit, match="2"):
-        main([*call, "1", "2"])
-    assert "three for each point" in capsys.readouterr().err
+    assert run.err == "rounded: points by 0.01, normals by 0 radians\n"
+    again = run(*call, "1", "1/5", "0", "--at", "1/3", "1.01", "0", *units)
+    assert json.loads(again) == document
+    assert "three for each point" in refused(*call, "1", "2")

@@ -1,7 +1,6 @@
 """The other methods on the paper's two grasps: what the paper says of each, and known values."""
 
 import importlib
-import json
 from fractions import Fraction
 from itertools import pairwise
 from pkgutil import iter_modules
@@ -14,7 +13,6 @@ from scipy.spatial import ConvexHull
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector, dot
 from equilibrium import Contact, Grasp, ResistedSet, methods, read_grasp, solve
-from equilibrium.cli.program import main
 from equilibrium.core.contact_rows import friction_edges
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.methods.compare import compare, predict
@@ -270,41 +268,35 @@ def test_every_file_of_a_method_is_in_the_table():
 
 
 class TestCommands:
-    def test_compare(self, capsys):
+    def test_compare(self, run):
         arguments = ["solve", "paper-three-contacts", "--wrench", "0", "-1", "0", "--methods"]
-        assert main([*arguments, "--json"]) == 0
-        document = json.loads(capsys.readouterr().out)
+        document = run.json(*arguments)
         agreeing = {row["method"]: row["agrees"] for row in document["methods"]}
         assert agreeing.pop("linear-compliance") is False
         assert agreeing.pop("form-closure") is None
         assert agreeing.pop("printed") in (True, False)
         assert agreeing.pop("pcr") is agreeing.pop("pgr") is None
         assert set(agreeing.values()) == {True}
-        assert main(arguments) == 0
-        lines = capsys.readouterr().out.splitlines()
+        lines = run(*arguments).splitlines()
         assert [line for line in lines if line.startswith("!") and "linear compliance" in line]
         assert lines[-2:] == [
             "-  the method has no verdict on this wrench",
             "!  another verdict than that of the full model",
         ]
 
-    def test_compare_rounds_numbers_as_solve_does(self, capsys):
+    def test_compare_rounds_numbers_as_solve_does(self, run):
         load = "1/12345678912345"
         words = ["solve", "opposed-contacts", "--wrench", "0", load, "0", "--methods"]
-        main(words)
-        assert "total normal force at least ≈8.1e-14" in capsys.readouterr().out
-        main([*words, "--exact"])
-        assert f"total normal force at least {load}" in capsys.readouterr().out
+        assert "total normal force at least ≈8.1e-14" in run(*words, code=None)
+        assert f"total normal force at least {load}" in run(*words, "--exact", code=None)
 
-    def test_wrench_space(self, capsys):
-        assert main(["info", "paper-three-contacts", "--force-closure", "--json"]) == 0
-        document = json.loads(capsys.readouterr().out)
+    def test_wrench_space(self, run):
+        document = run.json("info paper-three-contacts --force-closure")
         assert document["force_closure"] is True
         # One row of four integers or rationals for each of the eight triangles of an octahedron.
         assert [len(row) for row in document["facets"]] == [4] * 8
         assert ["0", "1/2"] in document["slice"]["corners"]
-        assert main(["info", "paper-three-contacts", "--force-closure", "--norm", "Linf"]) == 0
-        assert "volume" in capsys.readouterr().out
+        assert "volume" in run("info paper-three-contacts --force-closure --norm Linf")
 
 
 LOADS = [(0, 1, 0), (1, 1, 0), (-3, 7, 1), (0, -5, 2)]
@@ -397,30 +389,26 @@ def test_form_closure_in_space_takes_seven_contacts():
     assert all(dot(c.normal_wrench, free.free_motion) >= 0 for c in contacts[:6])
 
 
-def test_the_command_takes_a_grasp_in_space(capsys):
+def test_the_command_takes_a_grasp_in_space(run):
     load = ["--wrench", "0", "0", "0", "1", "0", "0"]
-    assert main(["solve", "two-opposed-fingers", *load, "--methods", "--json"]) == 1
-    found = json.loads(capsys.readouterr().out)
+    found = run.json("solve two-opposed-fingers", *load, "--methods", code=1)
     assert found["stable"] is False
     assert [entry["method"] for entry in found["methods"]] == list(DECIDING_IN_SPACE)
 
 
-def test_pyramids_are_for_all_methods_with_friction(capsys):
+def test_pyramids_are_for_all_methods_with_friction(run):
     between = ["--wrench", "0", "7/10", "7/10", "0", "0", "0"]
-    assert main(["solve", "two-opposed-fingers", *between, "--methods"]) == 0
-    capsys.readouterr()
+    run("solve two-opposed-fingers", *between, "--methods")
     pyramids = ["--cone", "pyramid:4"]
-    assert main(["solve", "two-opposed-fingers", *between, "--methods", *pyramids, "--json"]) == 1
-    found = json.loads(capsys.readouterr().out)
+    found = run.json("solve two-opposed-fingers", *between, "--methods", *pyramids, code=1)
     assert (found["pyramid"], found["stable"]) == (4, False)
     fingers, load = read_grasp("two-opposed-fingers"), (0, "7/10", "7/10", 0, 0, 0)
     assert compare(fingers, load, pyramid=16).stable
     assert compare(fingers, load, pyramid=16)["weak"].accepts
 
 
-def test_the_wrench_space_in_space_has_a_radius_and_no_slice(capsys):
-    assert main(["info", "box-held-by-four", "--force-closure", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+def test_the_wrench_space_in_space_has_a_radius_and_no_slice(run):
+    found = run.json("info box-held-by-four --force-closure")
     assert (found["epsilon_squared"], found["pyramid"]) == ("4/25", 4)
     assert not {"volume", "slice"} & set(found)
 

@@ -1,6 +1,5 @@
 """Contact modes: tables of boxes, against all faces of all planes, and the command."""
 
-import json
 import re
 from fractions import Fraction
 from itertools import product
@@ -10,7 +9,6 @@ import pytest
 from arrangement import Arrangement, InputError
 from arrangement.library.files.json_files import read_document
 from equilibrium import ContactModes, Grasp, read_grasp
-from equilibrium.cli import main
 from equilibrium.grasps.inputs import random_grasp
 from proofs_check.routes.contact_modes import mode_counts
 
@@ -72,13 +70,12 @@ def box_on_a_box(walls: int) -> ContactModes:
         pytest.param(2, "box-on-a-box-2-walls", (184, 11996), marks=pytest.mark.slow),
     ],
 )
-def test_a_box_on_a_box(walls, name, modes, capsys):
+def test_a_box_on_a_box(walls, name, modes, run):
     boxes = ContactModes.from_dict(read_document(name, ("normals",)))
     built = box_on_a_box(walls)
     assert (boxes.normals, boxes.tangents, boxes.n) == (built.normals, built.tangents, 9)
     assert recounted(boxes) == modes
-    assert main(["info", name, "--modes", "--count", "--json"]) == 0
-    assert tuple(json.loads(capsys.readouterr().out).values()) == modes
+    assert tuple(run.json("info {} --modes --count", name).values()) == modes
 
 
 @pytest.mark.parametrize(
@@ -144,31 +141,28 @@ def test_they_are_the_faces_of_all_planes_on_the_right_side(grasp):
     assert (len(kept), len(listed)) == counts(modes) == recounted(modes)
 
 
-def test_the_command_counts_and_lists(capsys):
-    assert main(["info", "box-1-wall", "--modes", "--count", "--json", "--time-limit", "600"]) == 0
-    assert json.loads(capsys.readouterr().out) == {
+def test_the_command_counts_and_lists(run):
+    assert run.json("info box-1-wall --modes --count --time-limit 600") == {
         "contacting_separating": 10,
         "sliding_sticking": 196,
     }
-    assert main(["info", "box-1-wall", "--modes", "--json"]) == 0
-    listed = json.loads(capsys.readouterr().out)
+    listed = run.json("info box-1-wall --modes")
     assert [len(listed[key]) for key in ("contacting_separating", "sliding_sticking")] == [10, 196]
     assert listed["sliding_sticking"][0] == {
         "signs": [[0, 0]] * 4,
         "dimension": 0,
         "motion": [0] * 6,
     }
-    assert main(["info", "box-1-wall", "--modes"]) == 0
-    assert len(capsys.readouterr().out.splitlines()) == 2 + 10 + 196
+    assert len(run("info box-1-wall --modes").splitlines()) == 2 + 10 + 196
 
 
-def test_bodies_given_by_normals_have_modes_only(capsys):
-    assert main(["info", "box-on-a-box-1-wall"]) == 2
-    assert "expected a grasp with contacts" in capsys.readouterr().err
+def test_bodies_given_by_normals_have_modes_only(refused):
+    assert "expected a grasp with contacts" in refused("info box-on-a-box-1-wall")
 
 
-def test_modes_are_printed_with_largest_entry_one(capsys):
-    assert main(["info", "three-fingers-on-a-ball", "--modes"]) == 0
-    rows = re.findall(r"\(([-0-9/, ]+)\)$", capsys.readouterr().out, re.MULTILINE)
+def test_modes_are_printed_with_largest_entry_one(run):
+    rows = re.findall(
+        r"\(([-0-9/, ]+)\)$", run("info three-fingers-on-a-ball --modes"), re.MULTILINE
+    )
     sizes = {max(abs(Fraction(x)) for x in row.split(", ")) for row in rows}
     assert sizes == {0, 1}

@@ -9,7 +9,6 @@ import pytest
 from arrangement.errors import InputError
 from equilibrium import Contact, Grasp, ResistedSet, solve
 from equilibrium.certificate.uncertain import Bounds
-from equilibrium.cli.program import main
 from equilibrium.decide.corners import corners
 from equilibrium.decide.proofs_for_all import proof_for_all
 from equilibrium.grasps.inputs import read_any, read_csv
@@ -35,13 +34,8 @@ def pinch(tmp_path):
     return str(path)
 
 
-def printed(capsys, *words):
-    code = main([*words])
-    return code, capsys.readouterr().out
-
-
 class TestOneContact:
-    def test_preloads_are_those_of_contacts(self, pinch, capsys):
+    def test_preloads_are_those_of_contacts(self, pinch, run):
         """A preload of 1/2 is too little; so is what [1/2, oo) would have said."""
         grasp = read_csv(pinch).grasp
         resisted = ResistedSet(grasp)
@@ -53,41 +47,38 @@ class TestOneContact:
         for p, stable in ((HALF, False), (1, True)):
             assert solve(grasp.with_preload(p), [0, -1, 0]).stable is stable
         load = "--wrench", "0", "-1", "0"
-        _, out = printed(capsys, "resisted", pinch, *load, "--margin")
-        assert "uniform preload in [1, oo)" in out
-        assert printed(capsys, "solve", pinch, *load, "--preload", "1/2")[0] == 1
-        assert printed(capsys, "solve", pinch, *load, "--preload", "1")[0] == 0
+        assert "uniform preload in [1, oo)" in run("resisted", pinch, *load, "--margin")
+        run("solve", pinch, *load, "--preload", "1/2", code=1)
+        run("solve", pinch, *load, "--preload", "1")
 
-    def test_numbers_are_those_of_contacts(self, pinch, capsys):
+    def test_numbers_are_those_of_contacts(self, pinch, run, refused):
         margin = "resisted", pinch, "--wrench", "0", "-1", "0", "--margin", "--contacts"
-        assert "preload of contact 1 in [1, oo)" in printed(capsys, *margin, "1")[1]
-        assert main([*margin, "3"]) == 2
-        assert "numbers of contacts from 1 to 2" in capsys.readouterr().err
+        assert "preload of contact 1 in [1, oo)" in run(*margin, "1")
+        assert "numbers of contacts from 1 to 2" in refused(*margin, "3")
 
-    def test_candidate_is_the_whole_pad(self, pinch, capsys):
-        words = "resisted", pinch, "--wrench", "0", "-3/2", "0", "--candidates", pinch
-        _, out = printed(capsys, *words)
+    def test_candidate_is_the_whole_pad(self, pinch, run):
+        out = run("resisted {} --wrench 0 -3/2 0 --candidates", pinch, pinch, code=1)
         assert [line.split()[1] for line in out.splitlines()] == ["1", "2"]
         assert "pad of radius 1/2" in out.splitlines()[0]
         grasp = read_csv(pinch).grasp
         more, _ = ResistedSet(grasp).with_contact(grasp)
         assert more.grasp.groups == (range(3), range(3, 4), range(4, 7))
 
-    def test_info_lists_contacts(self, pinch, capsys):
-        _, out = printed(capsys, "info", pinch)
+    def test_info_lists_contacts(self, pinch, run):
+        out = run("info", pinch)
         assert out.splitlines()[0] == "contacts         2 (4 points), in the plane"
         assert "normal (1, 0), friction 1/2, stiffness 1, preload 1, pad of radius 1/2" in out
-        document = json.loads(printed(capsys, "info", pinch, "--json")[1])
+        document = run.json("info", pinch)
         assert [len(c.get("points", [0])) for c in document["contacts"]] == [3, 1]
         assert not document["stiffness_given"]
 
-    def test_force_is_the_sum_and_where_it_acts(self, pinch, capsys):
+    def test_force_is_the_sum_and_where_it_acts(self, pinch, run):
         """A torque of 0.1 that the point cannot bear moves the force of the pad."""
         load = "--wrench", "0", "0", "1/4"
-        _, out = printed(capsys, "solve", pinch, *load)
+        out = run("solve", pinch, *load)
         assert "contact 2" in out
         assert "contact 3" not in out
-        document = json.loads(printed(capsys, "solve", pinch, *load, "--json")[1])
+        document = run.json("solve", pinch, *load)
         for found in document["equilibria"]:
             (pad,) = found["pads"]
             forces = [[Fraction(x) for x in f] for f in found["forces"]]
@@ -125,22 +116,22 @@ class TestOneContact:
         assert "Here each point of a pad is a contact of its own." in page
         assert '"share"' not in page
 
-    def test_modes_say_that_they_are_about_points(self, pinch, capsys):
-        _, out = printed(capsys, "info", pinch, "--modes", "--count")
+    def test_modes_say_that_they_are_about_points(self, pinch, run):
+        out = run("info {} --modes --count", pinch)
         assert "a mode is about points, which it numbers as contacts: contact 1 is 1 to 3" in out
 
 
 class TestFile:
-    def test_grasp_file_keeps_pads(self, pinch, tmp_path, capsys):
+    def test_grasp_file_keeps_pads(self, pinch, tmp_path, run):
         path = tmp_path / "made.json"
-        assert main(["make", "csv", pinch, "-o", str(path)]) == 0
+        run("make csv {} -o", pinch, path)
         made, given = read_any(str(path)), read_csv(pinch)
         assert made.grasp.groups == given.grasp.groups
         assert made.remarks == given.remarks
         assert made.grasp == given.grasp
         assert [c.stiffness_given for c in made.grasp] == [False] * 4
-        words = "resisted", "--wrench", "0", "-1", "0", "--preload", "2"
-        assert printed(capsys, *words, str(path)) == printed(capsys, *words, pinch)
+        words = "resisted --wrench 0 -1 0 --preload 2"
+        assert run(words, path) == run(words, pinch)
 
     def test_rounded_pads_stay_flat(self, tmp_path):
         document = {
@@ -160,14 +151,13 @@ class TestFile:
         assert not found.exact
         assert {c.normal for c in found.grasp.parts[0]} == {found.grasp.contacts[0].normal}
 
-    def test_certificate_is_about_points(self, pinch, tmp_path, capsys):
-        path = str(tmp_path / "c.json")
+    def test_certificate_is_about_points(self, pinch, tmp_path, run):
+        path = tmp_path / "c.json"
         load = "--wrench", "0", "-2", "0"
-        _, out = printed(capsys, "solve", pinch, *load, "--certificate", path)
+        out = run("solve", pinch, *load, "--certificate", path, code=1)
         assert "contact 1 is 1 to 3, contact 2 is 4" in out
-        assert "share" not in (tmp_path / "c.json").read_text()
-        code, out = printed(capsys, "verify", path, "--grasp", pinch, *load)
-        assert code == 0
+        assert "share" not in path.read_text()
+        out = run("verify {} --grasp", path, pinch, *load)
         assert "contact 1 is 1 to 3, contact 2 is 4" in out
 
     @pytest.mark.parametrize(

@@ -19,7 +19,6 @@ from arrangement.numbers.functions import Domain, Function, Span, Undecided
 from equilibrium import GraspError, ResistedSet, read_grasp, resisted_values, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
-from equilibrium.cli.program import main
 from equilibrium.grasps.inputs.parameter import read_parametric
 from equilibrium.grasps.schemas import parameter_certificate_schema
 from equilibrium.model.solution import Solution
@@ -360,31 +359,27 @@ def test_schema_takes_certificates_and_refuses_others(answers):
         assert not schema.is_valid({**proof, **change})
 
 
-def test_certificates_are_compared_with_a_question_with_the_letter(tmp_path, capsys):
+def test_certificates_are_compared_with_a_question_with_the_letter(tmp_path, run, refused):
     table, proof = tmp_path / "ladder.csv", tmp_path / "proof.json"
     table.write_text("x,y,nx,ny,mu\n0,0,0,1,3*t/3\n4,3,-1,0,0\n")
     proof.write_text(json.dumps(resisted_values(LADDER, 0, 1).certificates[-1]))
     line = ["verify", str(proof), "--grasp", str(table)]
-    assert main([*line, "--weight", "1", "--at", "2", "3/2"]) == 0
-    assert "give --grasp" not in capsys.readouterr().out
-    assert main([*line, "--wrench", "0", "-2", "-2"]) == 1
-    assert "not valid: its wrench differs" in capsys.readouterr().out
+    assert "give --grasp" not in run(*line, "--weight", "1", "--at", "2", "3/2")
+    assert "not valid: its wrench differs" in run(*line, "--wrench", "0", "-2", "-2", code=1)
     for friction, words in (
         ("t/2", "its contacts differ"),
         ("t^2", "its contacts differ|its numbers"),
     ):
         table.write_text(f"x,y,nx,ny,mu\n0,0,0,1,{friction}\n4,3,-1,0,0\n")
-        assert main([*line, "--wrench", "0", "-1", "-2"]) == 1
-        assert re.search(words, capsys.readouterr().out)
-    assert main(line) == 2
-    assert main([*line[:2], "--wrench", "0", "-1", "-2"]) == 2
-    assert main(line[:2]) == 0
-    assert "not compared with a question" in capsys.readouterr().out
+        assert re.search(words, run(*line, "--wrench", "0", "-1", "-2", code=1))
+    refused(*line)
+    refused(*line[:2], "--wrench", "0", "-1", "-2")
+    assert "not compared with a question" in run(*(line[:2]))
     stack = tmp_path / "stack.json"
     stack.write_text(json.dumps(STACK))
     for certificate in resisted_values(STACK, 0, 1).certificates:
         proof.write_text(json.dumps(certificate))
-        assert main(["verify", str(proof), "--grasp", str(stack)]) == 0
+        run("verify {} --grasp", proof, stack)
     report = check(certificate, read_parametric({**STACK, "bodies": ["lower", "other"]}))
     assert "other bodies" in report.problem
     assert "other bodies" in check(certificate, read_parametric(LADDER)).problem
@@ -418,17 +413,16 @@ def test_picture_shows_verdicts_along_the_letter(document, ends, bars):
     assert len({key.text for key in scene.legend.keys}) == len(scene.legend.keys)
 
 
-def test_picture_of_values_by_the_command(tmp_path, capsys):
+def test_picture_of_values_by_the_command(tmp_path, run, refused):
     table, picture = tmp_path / "ladder.csv", tmp_path / "ladder.svg"
     table.write_text("x,y,nx,ny,mu\n0,0,0,1,t\n4,3,-1,0,0\n")
     load = ["--weight", "1", "--at", "2", "3/2"]
     line = ["draw", str(table), "-o", str(picture), "--parameter", "t=0..1"]
-    assert main([*line, *load]) == 0
+    run(*line, *load)
     assert 'id="resisted-1"' in picture.read_text()
-    assert main([*line, *load, "--view", "polar"]) == 2
-    assert main([*line, *load, "--origin", "0", "0", "0"]) == 2
-    assert main(line) == 2
-    assert "there is no wrench" in capsys.readouterr().err
+    refused(*line, *load, "--view", "polar")
+    refused(*line, *load, "--origin", "0", "0", "0")
+    assert "there is no wrench" in refused(*line)
 
 
 def test_pad_tips_where_its_load_is_too_high():
@@ -452,11 +446,11 @@ def test_pad_tips_where_its_load_is_too_high():
             resisted_values({**document, "contacts": bent}, 0, 2)
 
 
-def test_movie_shows_the_object_at_each_value(tmp_path, capsys):
+def test_movie_shows_the_object_at_each_value(tmp_path, run):
     table, movie = tmp_path / "ladder.csv", tmp_path / "ladder.gif"
     table.write_text("x,y,nx,ny,mu\n0,0,0,1,t\n4,3,-1,0,0\n")
     line = ["draw", str(table), "--wrench", "0", "-1", "-2", "--parameter", "t=0..1"]
-    assert main([*line, "-o", str(movie), "--frames", "4"]) == 0
+    run(*line, "-o", movie, "--frames", "4")
     with Image.open(movie) as pictures:
         assert pictures.n_frames == 4
     answer = resisted_values(LADDER, 0, 1)
@@ -585,44 +579,38 @@ def test_friction_of_no_contacts_is_refused():
         sufficient_friction(SMOOTH, [3])
 
 
-def test_tables_and_the_command(tmp_path, capsys):
+def test_tables_and_the_command(tmp_path, run, refused):
     table = tmp_path / "ladder.csv"
     table.write_text("x,y,nx,ny,mu\n0,0,0,1,t\n4,3,-1,0,0\n")
     family = read_parametric(str(table), wrench=["0", "-1", "-2"])
     assert family.at(F(1, 2))[0].contacts[0].friction == F(1, 2)
     line = ["resisted", str(table), "--wrench", "0", "-1", "-2", "--parameter", "t=0..1"]
-    assert main(line) == 0
-    out = capsys.readouterr().out
+    out = run(*line)
     assert "resisted for 2/3 <= t <= 1\n" in out
     assert "not resisted for 0 <= t < 2/3\n" in out
     assert "in all equilibria at 2/3: slips at contact 1" in out
-    assert main([*line, "--json"]) == 0
-    for document in json.loads(capsys.readouterr().out)["certificates"]:
+    for document in run.json(*line)["certificates"]:
         path = tmp_path / "proof.json"
         path.write_text(json.dumps(document))
-        assert main(["verify", str(path)]) == 0
-        assert "all t in" in capsys.readouterr().out
-    assert main([*line[:-1], "t=0..1/2"]) == 1
-    assert main([*line[:-1], "t=0-1"]) == 2
-    assert main([*line, "--preload", "1"]) == 2
-    assert "--preload does not go with --parameter" in capsys.readouterr().err
+        assert "all t in" in run("verify", path)
+    run(*line[:-1], "t=0..1/2", code=1)
+    refused(*line[:-1], "t=0-1")
+    assert "--preload does not go with --parameter" in refused(*line, "--preload", "1")
     stack = tmp_path / "stack.json"
     rough = [{**c, "friction": "t"} if c["body_b"] else c for c in STACK["contacts"]]
     stack.write_text(json.dumps({**STACK, "contacts": rough, "wrench": {}}))
     on = ["--on", "lower", "0", "-1", "0", "--on", "upper", "1/4", "-1", "-1/4"]
-    assert main(["resisted", str(stack), *on, "--parameter", "t=0..1"]) == 0
-    assert "resisted for 1/4 <= t <= 1\n" in capsys.readouterr().out
+    assert "resisted for 1/4 <= t <= 1\n" in run("resisted", stack, *on, "--parameter", "t=0..1")
     weight = ["resisted", str(table), "--weight", "1", "--at", "2", "3/2"]
-    assert main([*weight, "--parameter", "t=0..1"]) == 0
-    assert "resisted for 2/3 <= t <= 1\n" in capsys.readouterr().out
+    assert "resisted for 2/3 <= t <= 1\n" in run(*weight, "--parameter", "t=0..1")
     table.write_text("x,y,nx,ny,mu\n0,0,0,1,0\n4,3,-1,0,0\n")
-    assert main([*weight, "--friction", "1"]) == 0
-    assert capsys.readouterr().out.startswith(
+    assert run(*weight, "--friction", "1").startswith(
         "least friction of contact 1: 2/3\nresisted for 2/3 <= f"
     )
-    assert main([*weight, "--friction", "2"]) == 1
-    assert "contact 2: none is enough\nno friction f up to 1" in capsys.readouterr().out
-    assert main([*weight, "--friction", "1", "--parameter", "t=0..1"]) == 2
-    assert "--parameter and --friction are two questions" in capsys.readouterr().err
-    assert main([*line, "--margin"]) == 2
-    assert "--margin goes with a load" in capsys.readouterr().err
+    assert "contact 2: none is enough\nno friction f up to 1" in run(
+        *weight, "--friction", "2", code=1
+    )
+    assert "--parameter and --friction are two questions" in refused(
+        *weight, "--friction", "1", "--parameter", "t=0..1"
+    )
+    assert "--margin goes with a load" in refused(*line, "--margin")

@@ -1,6 +1,5 @@
 """Proofs of a "no" for people: their parts cover all motions, and their works are lower bounds."""
 
-import json
 from collections.abc import Sequence
 from fractions import Fraction
 from random import Random
@@ -16,7 +15,6 @@ from equilibrium import Grasp, GraspError, Verdict, read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate
 from equilibrium.certificate.leaves import ClosedPart, parts, works
-from equilibrium.cli.program import main
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict_text import verdict_lines
 from equilibrium.grasps.inputs import random_grasp
@@ -139,19 +137,17 @@ proof: no contact forces in the friction cones balance the load
 """
 
 
-def test_solve_says_a_short_proof_in_words(capsys):
+def test_solve_says_a_short_proof_in_words(run):
     question = ["solve", "paper-three-contacts-preload-1", "--wrench", "0", "11/10", "0"]
-    assert main(question) == 1
-    assert capsys.readouterr().out == WORDS
-    assert main([*question, "--json"]) == 1
-    assert "proof" not in json.loads(capsys.readouterr().out)
+    assert run(*question, code=1) == WORDS
+    assert "proof" not in run.json(*question, code=1)
 
 
-def test_solve_counts_the_leaves_of_a_longer_proof(capsys):
-    assert main(["solve", "paper-four-contacts", "--wrench", "0", "1", "0"]) == 1
+def test_solve_counts_the_leaves_of_a_longer_proof(run):
+    printed = run("solve paper-four-contacts --wrench 0 1 0", code=1)
     report = solve(read_grasp("paper-four-contacts"), (0, 1, 0)).verify()
     line = f"proof: {report.leaves} leaves; --certificate OUT.json writes it\n"
-    assert capsys.readouterr().out.endswith(line)
+    assert printed.endswith(line)
 
 
 @pytest.mark.parametrize("name", ["paper-three-contacts", "paper-four-contacts"])

@@ -9,7 +9,6 @@ from arrangement.errors import InputError
 from arrangement.planes import proved
 from arrangement.planes.proved import PROGRAM
 from equilibrium import CertificateError, read_grasp, solve, verify
-from equilibrium.cli import main
 from equilibrium.grasps.files import verify_proved
 
 
@@ -97,25 +96,22 @@ def test_a_path_is_no_option(folder):
         verify_proved("-")
 
 
-def test_the_command_says_which_checker_spoke(folder, capsys):
+def test_the_command_says_which_checker_spoke(folder, run, refused):
     path, asked = str(folder / "certificate.json"), ["--wrench", "1", "0", "0", "--grasp"]
     solve(read_grasp("single-contact"), (1, 0, 0)).certificate.save(path)
     program(folder, "accepted: not resisted", 0)
-    assert main(["verify", "--verified", path]) == 0
-    answer, *question = capsys.readouterr().out.splitlines()
+    answer, *question = run("verify --verified", path).splitlines()
     assert answer == "valid: not resisted (by the verified checker)"
     assert question[0] == "wrench (1, 0, 0)"
-    assert main(["verify", "--verified", path, *asked, "single-contact"]) == 0
-    assert main(["verify", "--verified", path, *asked, "opposed-contacts"]) == 1
-    assert "it is about another grasp" in capsys.readouterr().out
-    assert main(["verify", "--verified", "-"]) == 0
-    assert "wrench (" not in capsys.readouterr().out
-    assert main(["verify", "--verified", "-", *asked, "single-contact"]) == 2
+    run("verify --verified", path, *asked, "single-contact")
+    assert "it is about another grasp" in run(
+        "verify --verified", path, *asked, "opposed-contacts", code=1
+    )
+    assert "wrench (" not in run("verify --verified -")
+    refused("verify --verified -", *asked, "single-contact")
     program(folder, "refused: resisted", 1)
-    assert main(["verify", "--verified", path, "--json"]) == 1
-    found = json.loads(capsys.readouterr().out)
+    found = run.json("verify --verified", path, code=1)
     said = ("valid", "certificate", "checker", "compared")
     assert [found[key] for key in said] == [False, "resisted", "proved", False]
     program(folder, "malformed: a number is a float", 2)
-    assert main(["verify", "--verified", path]) == 2
-    assert "a number is a float" in capsys.readouterr().err
+    assert "a number is a float" in refused("verify --verified", path)

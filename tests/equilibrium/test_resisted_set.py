@@ -1,6 +1,5 @@
 """Each method of `ResistedSet` against the function that computes it, and what stays undecided."""
 
-import json
 import math
 from dataclasses import replace
 from fractions import Fraction
@@ -20,7 +19,6 @@ from equilibrium import (
     solve_many,
     verify,
 )
-from equilibrium.cli.program import main
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import from_float_data, on_circle
 from equilibrium.model.errors import GraspError, UndecidedError
@@ -237,7 +235,7 @@ def test_constant_force_is_held_as_by_elimination(rows, wrench):
         assert found == tuple((max(low or Fraction(0), Fraction(0)), high) for low, high in exact)
 
 
-def test_constant_force_is_not_bounded(tmp_path, capsys):
+def test_constant_force_is_not_bounded(tmp_path, refused):
     path = tmp_path / "a.json"
     Grasp([Contact((-1, 0), (1, 0), 1, 0, 2), Contact((1, 0), (-1, 0), 1)]).save(path)
     load = ["--wrench", "0", "1", "0"]
@@ -246,8 +244,7 @@ def test_constant_force_is_not_bounded(tmp_path, capsys):
         (["lab", str(path), "-o", str(tmp_path / "lab.html")], "stiffness 0"),
         (["draw", str(path), "--model", "scene", "-o", str(tmp_path / "s.xml")], "stiffness 0"),
     ):
-        assert main(words) == 2
-        assert said in capsys.readouterr().err
+        assert said in refused(*words)
 
 
 def test_constant_force_is_for_the_plane():
@@ -288,7 +285,7 @@ def test_preloads_of_all_contacts_are_those_of_the_margin():
             resisted.preloads([load], wrong)
 
 
-def test_candidates_on_a_disc(tmp_path, capsys):
+def test_candidates_on_a_disc(tmp_path, run):
     """12 contacts around a disc that stands on one: those above it can hold a push up."""
     angles = [Fraction(x) for x in range(0, 360, 30)]
     disc = on_circle([float(a) for a in angles], "1/2", radius=1, preload=1).grasp
@@ -301,15 +298,13 @@ def test_candidates_on_a_disc(tmp_path, capsys):
     path = tmp_path / "candidates.json"
     disc.save(path)
     words = ["resisted", "paper-three-contacts-preload-1", "--wrench", "0", "2", "0"]
-    assert main([*words, "--candidates", str(path), "--json"]) == 0
-    rows = json.loads(capsys.readouterr().out)["candidates"]
+    rows = run.json(*words, "--candidates", path)["candidates"]
     assert [row["verdict"] == "resisted" for row in rows] == held
 
 
-def test_margin_of_chosen_contacts_on_the_command_line(capsys):
+def test_margin_of_chosen_contacts_on_the_command_line(run, refused):
     words = ["resisted", "paper-three-contacts", "--wrench", "0", "1", "0"]
     more = ["--margin", "--contacts", "1", "3", "--also", "0", "3", "0"]
-    assert main([*words, *more]) == 1
-    assert "resisted with a preload of contacts 1, 3 in [3, oo)" in capsys.readouterr().out
-    assert main([*words, "--contacts", "1"]) == 2
-    assert main([*words, "--margin", "--also", "0", "3", "0"]) == 2
+    assert "resisted with a preload of contacts 1, 3 in [3, oo)" in run(*words, *more, code=1)
+    refused(*words, "--contacts", "1")
+    refused(*words, "--margin", "--also", "0", "3", "0")

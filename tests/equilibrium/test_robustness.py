@@ -15,7 +15,6 @@ from arrangement.numbers.exact import dot
 from equilibrium import Contact, Grasp, GraspError, read_grasp, solve
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.uncertain import Bounds
-from equilibrium.cli.program import main
 from equilibrium.decide import robustness
 from equilibrium.decide.corners import moved
 from equilibrium.decide.solver import Solver
@@ -117,14 +116,14 @@ class TestKept:
                 assert max(abs(x - y) for x, y in pairs) <= Fraction(1, 10**6)
 
 
-def test_the_error_of_the_data_goes_along_in_files(tmp_path, capsys):
+def test_the_error_of_the_data_goes_along_in_files(tmp_path, run):
     path = tmp_path / "disc.json"
     path.write_text(json.dumps(on_round().grasp.to_dict()))
     assert read_grasp(path).data_error.length == Fraction(1, 10**6)
-    assert main(["solve", str(path), "--wrench", "0", "0", "1"]) == 1
-    assert "not proved for all within the rounding error (4 oth" in capsys.readouterr().out
-    assert main(["solve", str(path), "--wrench", "1", "-2", "0", "--json"]) == 3
-    document = json.loads(capsys.readouterr().out)
+    assert "not proved for all within the rounding error (4 oth" in run(
+        "solve {} --wrench 0 0 1", path, code=1
+    )
+    document = run.json("solve {} --wrench 1 -2 0", path, code=3)
     assert document["verdict"] == "depends on the rounding"
     assert document["within_error"]["turned"]["verdict"] == "not resisted"
 
@@ -145,11 +144,10 @@ def test_the_error_of_the_data_goes_along_in_files(tmp_path, capsys):
         ),
     ],
 )
-def test_answers_about_converted_data_say_so(tmp_path, capsys, command, code, words):
+def test_answers_about_converted_data_say_so(tmp_path, run, command, code, words):
     path = tmp_path / "loose.json"
     path.write_text(json.dumps(on_round(as_given=True).grasp.to_dict()))
-    assert main([command[0], str(path), *command[1:]]) == code
-    assert words in capsys.readouterr().out
+    assert words in run(command[0], path, *command[1:], code=code)
 
 
 def test_what_breaks_incidences_makes_nothing_resisted():
@@ -406,32 +404,29 @@ class TestRobust:
         )
         assert solve(grasp, (0, -20, 0)).robust(degrees="1/2", friction="10%")
 
-    def test_the_proof_is_written_and_read_back(self, tmp_path, capsys):
+    def test_the_proof_is_written_and_read_back(self, tmp_path, run):
         proof = str(tmp_path / "proof.json")
         asked = ["--wrench", "0", "1/2", "0"]
         wanted = ["--robust", "degrees=1/2", "friction=5%"]
-        assert main(["solve", JAWS, *asked, *wanted, "--certificate", proof]) == 0
-        assert "proof for all" in capsys.readouterr().out
-        assert main(["verify", proof, "--grasp", JAWS, *asked]) == 0
-        assert "for all normals within 0.5 degrees, friction within" in capsys.readouterr().out
-        assert main(["verify", proof, "--json"]) == 0
-        assert json.loads(capsys.readouterr().out)["bounds"]["degrees"] == "1/2"
+        assert "proof for all" in run("solve", JAWS, *asked, *wanted, "--certificate", proof)
+        assert "for all normals within 0.5 degrees, friction within" in run(
+            "verify {} --grasp", proof, JAWS, *asked
+        )
+        assert run.json("verify", proof)["bounds"]["degrees"] == "1/2"
 
-    def test_the_time_limit_ends_the_search(self, capsys, monkeypatch):
+    def test_the_time_limit_ends_the_search(self, run, monkeypatch):
         now = itertools.count()
         monkeypatch.setattr(deadline, "clock", lambda: next(now))
         asked = ["solve", JAWS, "--wrench", "0", "39/20", "0", "--robust", "degrees=1"]
-        assert main([*asked, "--time-limit", "2"]) == 3
-        assert "undecided; time limit of 2 s" in capsys.readouterr().out
+        assert "undecided; time limit of 2 s" in run(*asked, "--time-limit", "2", code=3)
 
     def test_the_time_limit_ends_questions_within_the_error_of_data(
-        self, capsys, monkeypatch, tmp_path
+        self, run, monkeypatch, tmp_path
     ):
         path = tmp_path / "disc.json"
         path.write_text(json.dumps(on_round().grasp.to_dict()))
         asked = ["solve", str(path), "--wrench", "0", "0", "1", "--time-limit"]
-        assert main([*asked, "9", "--json"]) == 1
-        found = json.loads(capsys.readouterr().out)["within_error"]
+        found = run.json(*asked, "9", code=1)["within_error"]
         assert found["asked"] == 4
         assert "reason" not in found
         now = itertools.count()

@@ -16,7 +16,6 @@ import pytest
 from equilibrium import Contact, Grasp, Polygon, read_grasp
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.law import frame
-from equilibrium.cli import main
 from equilibrium.decide.solver import Solver
 from equilibrium.scenes import EngineScene, benchmark, document_text
 from proofs_check.cli import main as claims
@@ -117,15 +116,15 @@ def test_what_engines_do_not_take_is_refused(grasp, directions, words):
         EngineScene(grasp, directions)
 
 
-def test_the_command_writes_scenes(tmp_path, capsys):
+def test_the_command_writes_scenes(tmp_path, run):
     path = tmp_path / "scene.json"
-    assert main(["draw", NAME, "--model", "scene", "-o", str(path)]) == 0
+    run("draw {} --model scene -o", NAME, path)
     document = json.loads(path.read_text())
     assert document == json.loads(document_text(EngineScene(PAPER).document()))
     assert Grasp.from_dict(document["grasp"]) == PAPER
     load = ["--force", "0", "1", "--at", "0", "0"]
     xml = tmp_path / "scene.xml"
-    assert main(["draw", NAME, "--model", "scene", "-o", str(xml), *load]) == 0
+    run("draw {} --model scene -o", NAME, xml, *load)
     assert xml.read_text() == EngineScene(PAPER, [[0, 1, 0]]).mjcf()
 
 
@@ -143,9 +142,8 @@ def test_the_command_writes_scenes(tmp_path, capsys):
         ("--view slice -o x.json --slice fx fz", "expected one of fx, fy, tau"),
     ],
 )
-def test_options_that_data_do_not_take_are_refused(words, reason, capsys):
-    assert main(["draw", NAME, *words.split()]) == 2
-    assert reason in capsys.readouterr().err
+def test_options_that_data_do_not_take_are_refused(words, reason, refused):
+    assert reason in refused("draw", NAME, *words.split())
 
 
 @pytest.mark.slow

@@ -11,7 +11,6 @@ import pytest
 from arrangement.errors import InputError
 from equilibrium import CertificateError, Circle, Contact, Grasp, GraspError, Polygon, Units
 from equilibrium.certificate.checker import check
-from equilibrium.cli.program import main
 from equilibrium.decide.solver import solve
 from equilibrium.grasps.inputs import random_grasp
 from equilibrium.grasps.inputs.documents import read_grasp
@@ -199,14 +198,15 @@ class TestUnits:
         assert hash(bare) == hash(self.grasp)
         assert "units" not in bare.to_dict()
 
-    def test_commands_show_them(self, tmp_path, capsys):
+    def test_commands_show_them(self, tmp_path, run):
         path = tmp_path / "grasp.json"
         path.write_text(json.dumps(self.grasp.to_dict()), encoding="utf-8")
         for more in ([], ["--methods"]):
-            assert main(["solve", str(path), "--wrench", "-1", "0", "0", *more]) == 0
-            assert "lengths in mm, forces in N" in capsys.readouterr().out
-        assert main(["make", "random", "--contacts", "1", "--units", "cm", "lbf"]) == 0
-        assert json.loads(capsys.readouterr().out)["units"] == {"length": "cm", "force": "lbf"}
+            assert "lengths in mm, forces in N" in run("solve {} --wrench -1 0 0", path, *more)
+        assert json.loads(run("make random --contacts 1 --units cm lbf"))["units"] == {
+            "length": "cm",
+            "force": "lbf",
+        }
 
 
 class TestOutline:

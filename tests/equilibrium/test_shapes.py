@@ -22,7 +22,6 @@ from equilibrium import (
     solve,
     verify,
 )
-from equilibrium.cli.program import main
 from equilibrium.grasps.inputs import read_shapes
 from equilibrium.grasps.inputs.documents import read_assembly
 from equilibrium.grasps.inputs.shapes_letter import WORDS, shapes_with_letter
@@ -478,12 +477,11 @@ class TestShapes:
             ({"contacts": []}, "unknown key"),
         ],
     )
-    def test_damaged_documents_are_refused(self, changes, words, tmp_path, capsys):
+    def test_damaged_documents_are_refused(self, changes, words, tmp_path, run):
         known = document([disc("a", 0, 1, 1)], [walls((-4, 0), (4, 0))]) | changes
         path = tmp_path / "shapes.json"
         path.write_text(json.dumps(known), encoding="utf-8")
-        assert main(["make", "shapes", str(path)]) == 2
-        out, err = capsys.readouterr()
+        out, err = run("make shapes", path, code=2), run.err
         assert not out
         assert words in err
         assert err.count("\n") == 1
@@ -542,19 +540,18 @@ class TestFiles:
             ("weight", "weight [N],y [cm]", "there twice"),
         ],
     )
-    def test_damaged_tables_are_refused(self, old, new, words, tmp_path, capsys):
+    def test_damaged_tables_are_refused(self, old, new, words, tmp_path, refused):
         path = tmp_path / "shapes.csv"
         path.write_text(TABLE.replace(old, new, 1), encoding="utf-8")
-        assert main(["make", "shapes", str(path), "--friction", "1"]) == 2
-        assert words in capsys.readouterr().err
+        assert words in refused("make shapes {} --friction 1", path)
 
-    def test_made_files_are_read_back(self, tmp_path, capsys):
+    def test_made_files_are_read_back(self, tmp_path, run):
         path, made = tmp_path / "shapes.json", tmp_path / "made.json"
         thread = {"body_a": "a", "body_b": None, "point": ["1", "1"], "to": ["4", "5"]}
         scene = document([disc("a", 0, 1, 1, weight=1)], [walls((-4, 0), (4, 0))], threads=[thread])
         path.write_text(json.dumps(scene), encoding="utf-8")
-        assert main(["make", "shapes", str(path), "-o", str(made)]) == 0
-        assert not capsys.readouterr().err
+        run("make shapes {} -o", path, made)
+        assert not run.err
         written = json.loads(made.read_text(encoding="utf-8"))
         validator(assembly_schema()).validate(written)
         assembly = read_assembly(made)
@@ -587,13 +584,13 @@ class TestFiles:
         with pytest.raises(InputError, match="in the plane"):
             RigidBody("a", Sphere([0, 0, 0], 1))
 
-    def test_pictures_show_walls_and_threads(self, tmp_path):
+    def test_pictures_show_walls_and_threads(self, tmp_path, run):
         thread = {"body_a": "a", "body_b": None, "point": ["1", "1"], "to": ["4", "5"]}
         scene = document(
             [disc("a", 0, 1, 1, weight=1)], [walls((-99, 0), (99, 0))], threads=[thread]
         )
         read_shapes(scene).subject.save(tmp_path / "a.json")
-        assert main(["draw", str(tmp_path / "a.json"), "-o", str(tmp_path / "a.svg")]) == 0
+        run("draw {} -o", tmp_path / "a.json", tmp_path / "a.svg")
         text = (tmp_path / "a.svg").read_text(encoding="utf-8")
         assert 'id="thread-2"' in text
         assert 'id="outline-ground-1"' in text
@@ -666,7 +663,7 @@ class TestLetter:
             assert question.at(value) == (read.subject, read.subject.weights)
             assert len(read.subject.contacts) > 2
 
-    def test_the_lowest_step_that_stops_a_wheel(self, tmp_path):
+    def test_the_lowest_step_that_stops_a_wheel(self, tmp_path, run):
         """A pull F at the axle lifts a wheel of weight W over an edge at tan(angle) < F / W.
 
         Source: any textbook of statics, the roller and the step.
@@ -674,7 +671,7 @@ class TestLetter:
         path, made = tmp_path / "wheel.json", tmp_path / "made.json"
         path.write_text(json.dumps(WHEEL), encoding="utf-8")
         words = ["make", "shapes", str(path), "--parameter", "t=1/4..1/2", "-o", str(made)]
-        assert main(words) == 0
+        run(*words)
         values = resisted_values(made, "1/4", "1/2")
         (span,) = values.resisted
         assert (span.low, span.high) == (Fraction(1, 3), Fraction(1, 2))

@@ -23,7 +23,6 @@ from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from equilibrium import Grasp, Solution, Verdict, read_grasp, solve, unit_normal
 from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import refuted_certificate, resisted_certificate
-from equilibrium.cli.program import main
 from equilibrium.core.cones import RoundCones
 from equilibrium.core.contacts import FloatContacts
 from equilibrium.core.exact_parts import ExactParts
@@ -456,7 +455,9 @@ class TestBrackets:
             ("1.35", True, True, "1/40", 8, False),
         ],
     )
-    def test_ends_move_to_the_edge_of_floats(self, edge, closes, stuck, left, asked, opens, up):
+    def test_ends_move_to_the_edge_of_floats(
+        self, edge, closes, stuck, left, asked, opens, up, refused
+    ):
         """Of equilibria only up to the boundary 4/3, and of trees where they close."""
         tried, border = [], "4/3"
 
@@ -858,29 +859,25 @@ class TestAnswers:
                 question(found)
         assert found.to_dict()["verdict"] == "undecided"
 
-    def test_exit_codes_and_words(self, capsys, monkeypatch):
+    def test_exit_codes_and_words(self, run, monkeypatch):
         options = ["solve", "peg-in-a-hole", "--wrench", "0", "0", "-3/2", "0", "0", "0"]
         with monkeypatch.context() as patch:
             patch.setattr(deadline, "clock", itertools.count().__next__)
-            assert main([*options, "--time-limit", "1/10", "--json"]) == 3
-            document = json.loads(capsys.readouterr().out)
+            document = run.json(*options, "--time-limit", "1/10", code=3)
             assert document["verdict"] == "undecided"
             assert document["reason"].startswith("time limit of 0.1 s")
-            assert main([*options, "--time-limit", "1/10"]) == 3
-            assert capsys.readouterr().out.startswith("undecided: time limit of 0.1 s")
+            assert run(*options, "--time-limit", "1/10", code=3).startswith(
+                "undecided: time limit of 0.1 s"
+            )
         with monkeypatch.context() as patch:
             patch.setitem(STEPS, 3, 100_000)
-            assert main(options) == 3
-            assert capsys.readouterr().out.startswith("undecided: limit of 100,000 steps")
+            assert run(*options, code=3).startswith("undecided: limit of 100,000 steps")
         with monkeypatch.context() as patch:
             patch.setattr(budget, "COMMAND_STEPS", 30_000)
-            assert main(options) == 3
-            assert capsys.readouterr().out.startswith("undecided: limit of 60,000 steps")
-        assert main(options) == 1
-        capsys.readouterr()
-        assert main(["solve", "two-opposed-fingers", "--weight", "1"]) == 0
-        assert "resisted" in capsys.readouterr().out
-        assert main(["solve", "two-opposed-fingers", "--weight", "2"]) == 1
+            assert run(*options, code=3).startswith("undecided: limit of 60,000 steps")
+        run(*options, code=1)
+        assert "resisted" in run("solve two-opposed-fingers --weight 1")
+        run("solve two-opposed-fingers --weight 2", code=1)
 
     @pytest.mark.parametrize("length", [0, 3, 5, 7])
     def test_a_wrench_of_the_wrong_length_names_the_right_one(self, length):
@@ -1098,11 +1095,12 @@ class TestPyramids:
             with pytest.raises(GraspError, match="even number from 4"):
                 pyramid_edges(count)
 
-    def test_the_command_takes_a_pyramid(self, capsys):
+    def test_the_command_takes_a_pyramid(self, run):
         options = ["solve", "two-opposed-fingers", "--wrench", "0", "3/5", "4/5", "0", "0", "0"]
-        assert main(options) == 0
-        assert main([*options, "--cone", "pyramid:4"]) == 1
-        assert "not resisted, with friction pyramids of 4 edges" in capsys.readouterr().out
+        run(*options)
+        assert "not resisted, with friction pyramids of 4 edges" in run(
+            *options, "--cone", "pyramid:4", code=1
+        )
 
     def test_a_proof_for_a_pyramid_is_none_for_the_round_cone(self):
         found = solve(FINGERS, across("3/5", "4/5"), pyramid=4)
@@ -1119,12 +1117,11 @@ class TestPyramids:
 
 
 @pytest.mark.parametrize(("cone", "seconds"), [("round", "1/10"), ("pyramid:8", "9")])
-def test_time_limit_holds_inside_long_programs(cone, seconds, tmp_path, capsys, monkeypatch):
+def test_time_limit_holds_inside_long_programs(cone, seconds, tmp_path, run, monkeypatch):
     contacts = [c for c in random_grasp(200, 1, dimension=3) if c.point[2] > 0]
     path = tmp_path / "many.json"
     path.write_text(json.dumps(Grasp(contacts).to_dict()))
     load = ["--wrench", "1", "0", "-1", "0", "0", "1", "--time-limit", seconds, "--cone", cone]
     # Each look at the clock takes a second: with pyramids the tenth is inside a program.
     monkeypatch.setattr(deadline, "clock", itertools.count().__next__)
-    assert main(["solve", str(path), *load]) == 3
-    assert ": time limit of " in capsys.readouterr().out
+    assert ": time limit of " in run("solve", path, *load, code=3)

@@ -25,7 +25,6 @@ from equilibrium import (
     solve_many,
     verify,
 )
-from equilibrium.cli.program import main
 from equilibrium.decide import solver
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import random_grasp, random_wrench
@@ -72,17 +71,15 @@ def test_verify_takes_a_verdict_and_its_certificate():
         verify(replace(verdict, verdict="undecided"))
 
 
-def test_forces_are_a_table_with_heads_and_unit(capsys, tmp_path):
+def test_forces_are_a_table_with_heads_and_unit(run, tmp_path):
     path = tmp_path / "grasp.json"
     path.write_text(json.dumps(THREE.with_units("mm", "N").to_dict()))
-    assert main(["solve", str(path), "--wrench", "0", "1", "0"]) == 0
-    head, *rows = capsys.readouterr().out.splitlines()[3:7]
+    head, *rows = run("solve {} --wrench 0 1 0", path).splitlines()[3:7]
     assert head == "               state     normal (N)  tangential (N)"
     assert rows[0] == "    contact 1  slip+     1           -1/2"
     assert rows[1] == "    contact 2  detached  0           0"
     load = ["--wrench", "0", "3/10", "2/5", "0", "0", "0"]
-    assert main(["solve", "two-opposed-fingers", *load]) == 0
-    head, row, *_ = capsys.readouterr().out.splitlines()[2:]
+    head, row, *_ = run("solve two-opposed-fingers", *load).splitlines()[2:]
     assert head == "               state  normal  tangential"
     assert row == "    contact 1  stick  1       (-3/20, -1/5)"
 
@@ -109,7 +106,7 @@ def test_function_takes_wrenches_alone():
     assert [verdict.stable for verdict in found] == [True, False]
 
 
-def test_all_equilibria_of_few_contacts_in_the_plane_are_listed():
+def test_all_equilibria_of_few_contacts_in_the_plane_are_listed(refused):
     held, refused = (solve(THREE, (0, y, 0)) for y in (1, 2))
     contact = next(iter(THREE))
     for count, few in ((20, True), (21, False)):
