@@ -29,11 +29,12 @@ if TYPE_CHECKING:
 
 _Command = Callable[[argparse.Namespace], int]
 _FILE = (
-    "an arrangement or a grasp: a path, - for standard input, or a built-in name; in any format of "
-    "`arrangement convert`; or equations such as 'x = 0; x + y = 1'"
+    "an arrangement or a grasp: a path to a file in any format of `arrangement convert`, - for "
+    "standard input, a built-in name, or equations such as 'x = 0; x + y = 1'"
 )
 _POLYGON = (
-    "a polygon: corners such as '0,0; 4,0; 0,4', or a file with it on the planes' positive sides"
+    "a polygon, given by corners such as '0,0; 4,0; 0,4' or by a file of lines with the polygon on "
+    "their positive sides"
 )
 
 
@@ -143,9 +144,9 @@ def _parser() -> Parser:
     )
     chosen = faces.add_mutually_exclusive_group()
     chosen.add_argument("--bounded", action="store_true", help="only the bounded regions")
-    chosen.add_argument("--inside", metavar="POLYGON", help=f"only the faces inside of {_POLYGON}")
+    chosen.add_argument("--inside", metavar="POLYGON", help=f"only the faces inside {_POLYGON}")
     terminal.add_number_options(faces)
-    add("identify", _identify, "find the isomorphism class, of those of up to nine hyperplanes")
+    add("identify", _identify, "find the isomorphism class of up to nine hyperplanes")
     draw = add("draw", _draw, "draw pictures and pages; export 3D-printable models")
     draw.lazy_options = lambda: _later("drawing.command").add_options(
         draw, _later("pictures.views").DRAWINGS
@@ -167,9 +168,9 @@ def _parser() -> Parser:
     text = "write a page in which lines and great circles are dragged and counted"
     page = add("lab", _lab, text, file="?", heading="more")
     page.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
-    page.add_argument("--title", metavar="TEXT", help="a heading")
+    page.add_argument("--title", metavar="TEXT", help="heading of the page")
     page.add_argument(
-        "--exercises", metavar="FILE", help="JSON with exercises, in place of the built-in ones"
+        "--exercises", metavar="FILE", help="JSON file of exercises that replace the built-in ones"
     )
     return parser
 
@@ -179,14 +180,14 @@ def _add_count(count: argparse.ArgumentParser) -> None:
         "--time-limit",
         type=values.seconds_argument,
         metavar="SECONDS",
-        help="stop after SECONDS and print the coefficients so far",
+        help="stop after SECONDS and print the coefficients found so far",
     )
     instead = count.add_mutually_exclusive_group()
     instead.add_argument(
-        "--store", metavar="FOLDER", help="store the parts here; the same command continues"
+        "--store", metavar="FOLDER", help="store partial results here; the same command resumes"
     )
     instead.add_argument(
-        "--forecast", action="store_true", help="only estimate the work, from a sample"
+        "--forecast", action="store_true", help="only estimate the work from a sample"
     )
     instead.add_argument(
         "--primes",
@@ -197,12 +198,12 @@ def _add_count(count: argparse.ArgumentParser) -> None:
     instead.add_argument(
         "--verified",
         action="store_true",
-        help="count by the formally verified program (built by `make formal`)",
+        help="count with the formally verified program (built by `make formal`)",
     )
     instead.add_argument(
         "--inside",
         metavar="POLYGON",
-        help=f"count the pieces of lines of R^2 inside and outside of {_POLYGON}",
+        help=f"count the pieces of lines of R^2 inside and outside {_POLYGON}",
     )
     terminal.add_worker_options(count)
 

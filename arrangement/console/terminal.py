@@ -93,7 +93,7 @@ def _exit_codes(answers: Sequence[str]) -> str:
 def add_common_options(parser: argparse.ArgumentParser) -> None:
     """Add ``--json``, ``--limit`` and ``--traceback``, which every command has."""
     group = parser.add_argument_group("other")
-    group.add_argument("--json", action="store_true", help="print JSON on stdout, and nothing else")
+    group.add_argument("--json", action="store_true", help="print only JSON on stdout")
     group.add_argument(
         "--limit",
         type=times_argument,
@@ -102,14 +102,18 @@ def add_common_options(parser: argparse.ArgumentParser) -> None:
         help="scale the default limits on size, memory and work by N",
     )
     group.add_argument(
-        "--traceback", action="store_true", help="after an internal error, show where it was"
+        "--traceback", action="store_true", help="show the traceback of an internal error"
     )
 
 
 def add_jobs_option(parser: Any) -> None:
     """Add the number of processes."""
     parser.add_argument(
-        "--jobs", type=integer_argument, default=1, metavar="N", help="processes (default: 1)"
+        "--jobs",
+        type=integer_argument,
+        default=1,
+        metavar="N",
+        help="number of processes (default: 1)",
     )
 
 
@@ -126,7 +130,7 @@ def add_worker_options(parser: Any, shard: bool = True) -> None:
             type=shard_argument,
             default=(1, 1),
             metavar="I/N",
-            help="do only the I-th of N parts, for machines without a cluster",
+            help="compute only the I-th of N parts, for machines without a cluster",
         )
     parser.add_argument("--dask", metavar="ADDRESS", help="address of a Dask scheduler")
 
@@ -135,7 +139,7 @@ def add_number_options(parser: argparse.ArgumentParser) -> None:
     """Add ``--exact`` and ``--digits``, for commands that print numbers; `run` heeds them."""
     form = parser.add_mutually_exclusive_group()
     form.add_argument("--exact", action="store_true", help="print every number exactly")
-    text = f"of numbers that are too long to be printed exactly (default: {number_form.DIGITS})"
+    text = f"digits of numbers too long to be printed exactly (default: {number_form.DIGITS})"
     form.add_argument("--digits", type=digits_argument, metavar="N", help=text)
 
 

@@ -85,7 +85,7 @@ def add_options(
         "--output",
         required=True,
         metavar="PATH",
-        help=".svg, .pdf, .png, .tex (TikZ): a picture; .gif, .mp4: one that moves; .html: a page"
+        help=".svg, .pdf, .png, .tex (TikZ): a picture; .gif, .mp4: an animation; .html: a page"
         + "; .stl, .glb, .obj: a model" * bool(drawings.models)
         + more.get("output", ""),
     )
@@ -127,9 +127,9 @@ def _add_target(parser: Parser, drawings: Drawings, more: Mapping[str, str]) -> 
     """Add which view or model to draw."""
     for kind, thing in (("view", "picture"), ("model", "model")):
         if known := [*drawings.entries(kind)]:
-            text = f"the {thing}, such as {known[0]} (default: the first that suits)"
+            text = f"the {thing}, such as {known[0]} (default: the first that fits the input)"
             if kind == "view":
-                text += f"; several, as in {known[0]},{known[1]}, are panels of one figure"
+                text += f"; several, as in {known[0]},{known[1]}, become panels of one figure"
             parser.add_argument(f"--{kind}", metavar=kind.upper(), help=text + more.get(kind, ""))
             parser.names[kind] = partial(list, known)
 

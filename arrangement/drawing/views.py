@@ -117,7 +117,7 @@ WHOLE = 180.0
 
 
 #: What holds for every view: said once, and added to the docstrings.
-_WIDTH = "    width: of the figure, in millimetres.\n"
+_WIDTH = "    width: width of the figure, in millimetres.\n"
 _AX = """    ax: axes, a figure or subfigure of matplotlib to draw into. The picture takes the room
         that is there and has no legend; each element is an artist with its name as ``gid``.
 """
@@ -194,18 +194,18 @@ class Printing:
     """How a picture is printed; these options have all pictures.
 
     Args:
-        font: of .svg, .pdf, .png: an installed font, or serif, sans, mono (default: sans).
-        font_size: size of the larger text, such as 8pt (default: 7pt); lines follow.
-        theme: light (default), dark, mono; mono is black on white with hatchings.
+        font: an installed font, or serif, sans, mono (default: sans); in .svg, .pdf, .png.
+        font_size: size of the larger text, such as 8pt (default: 7pt); line widths scale with it.
+        theme: light (default), dark, mono; mono is black on white with hatching.
         legend: below (default), right, none.
-        text: in .svg: outlines (default), which look the same everywhere, or text, which can
-            be edited.
-        dpi: of .png: dots per inch (default: 300).
-        transparent: of .svg, .pdf, .png: no background.
-        fragment: in .tex: no document, for ``\\input``.
-        columns: of panels (default: 2).
-        frames: of a full turn, or of a letter in its range, in .gif, .mp4 (default: 36); without
-            labels of regions, unless these are asked for.
+        text: letters in .svg: outlines (default), which look the same everywhere, or text, which
+            can be edited.
+        dpi: dots per inch of .png (default: 300).
+        transparent: omit the background of .svg, .pdf, .png.
+        fragment: write .tex without a document, for ``\\input``.
+        columns: number of columns of panels (default: 2).
+        frames: number of frames of .gif, .mp4, for a full turn or the range of a letter (default:
+            36); regions have no labels, unless labels are set.
     """
 
     font: str | None = None

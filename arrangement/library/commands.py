@@ -98,10 +98,13 @@ def add_list_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--verified",
         action="store_true",
-        help="with --classes: count their regions by the formally verified program, too",
+        help="with --classes: also count their regions with the formally verified program",
     )
     parser.add_argument(
-        "--from", dest="source", metavar="FORMAT", help="of FILE (default: detected from the text)"
+        "--from",
+        dest="source",
+        metavar="FORMAT",
+        help="format of FILE (default: detected from the text)",
     )
 
 
@@ -156,7 +159,7 @@ def add_convert_options(parser: argparse.ArgumentParser) -> None:
         "--from",
         dest="source",
         metavar="FORMAT",
-        help="such as christ or chirotope (default: detected)",
+        help="format of FILE, such as christ or chirotope (default: detected)",
     )
     parser.add_argument(
         "--number",
@@ -164,9 +167,13 @@ def add_convert_options(parser: argparse.ArgumentParser) -> None:
         metavar="K",
         help="use arrangement number K of the file, counted from 1",
     )
-    parser.add_argument("-o", "--output", metavar="PATH", help="(default: print it; needs --to)")
     parser.add_argument(
-        "--to", metavar="FORMAT", help="such as sage (default: by the suffix of PATH)"
+        "-o", "--output", metavar="PATH", help="file to write (default: stdout; needs --to)"
+    )
+    parser.add_argument(
+        "--to",
+        metavar="FORMAT",
+        help="format to write, such as sage (default: by the suffix of PATH)",
     )
 
 

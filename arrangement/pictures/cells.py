@@ -85,12 +85,12 @@ def draw_cells(
         arrangement: of rank at most 3, central or not, coincident planes allowed; in another space
             than R^3 its essentialisation.
         body: "cube" or "ball".
-        centre, radius: exact, of the body, instead of one that contains all vertices.
+        centre, radius: exact place and size of the body, if it is not to contain all vertices.
         explode: by how much the middles of the cells are farther apart than in place; at least 1.
         camera: exact vector to the viewer; if omitted, one in which no plane is edge-on.
         azimuth: as for `draw_sphere`.
-        labels: of cells, as for `draw_sphere`, on faces that have room; none for more than 60 cells
-            if omitted.
+        labels: labels of cells, as for `draw_sphere`, on faces that have room; none for more than
+            60 cells if omitted.
         coordinates: of central planes, as for `draw_planes`.
 
     Raises:
@@ -144,7 +144,7 @@ def cells_page(
     Args:
         arrangement: of rank at most 3, central or not.
         title: a heading; if omitted, the number of planes.
-        colours: of single planes, as for `draw_sphere`; a page has no dashes.
+        colours: as for `draw_sphere`; a page has no dashes.
         centre, radius: exact, of the cube, instead of one that contains all vertices.
         explode: how far the cells stand apart at first, from 1 to 3.
         camera: exact vector to the viewer at first; if omitted, one in which no plane is edge-on.
@@ -253,13 +253,13 @@ def cells_model(
             than R^3 its essentialisation.
         suffix: ``.stl``, ``.glb`` or ``.obj``.
         body: "ball" or "cube".
-        centre, radius: exact, of the body; see `body_around`.
+        centre, radius: exact place and size of the body; see `body_around`.
         explode: at least 1; with 1 the parts stay together.
         size: the longest side of the bounding box, in millimetres, before parts move.
-        colour: in GLB. "planes" (a wall has the colour of its plane), "sides" (a cell by its
-            number of walls), "signs" (by its number of minus signs), "none", or a function of a
-            `DrawnRegion`.
-        colours: of single planes, as for `draw_sphere`, where walls have those of planes.
+        colour: colours in GLB: "planes" (a wall has the colour of its plane), "sides" (a cell by
+            its number of walls), "signs" (by its number of minus signs), "none", or a function of
+            a `DrawnRegion`.
+        colours: as for `draw_sphere`; walls have the colours of their planes.
         coordinates: as for `draw_planes`.
 
     Raises:

@@ -111,10 +111,9 @@ DUAL_MODEL = Ranks(4, central=True)
 
 
 #: The options of every view of planes, for its docstring and its signature.
-_TEXT = """    names: of single planes, by number from 1 on, ``"1=ell,2=m"`` or ``{1: "ell"}``; or
-        of all,
-        in their order; if omitted, those of the file.
-    colours: of single planes, by number or name, each with a dash after a colon if it has one,
+_TEXT = """    names: names of single planes, by number from 1, ``"1=ell,2=m"`` or ``{1: "ell"}``;
+        or of all planes, in their order; if omitted, those of the file.
+    colours: colours of single planes, by number or name, with or without a dash after a colon,
         ``"ell=gold,2=#0af:dashed,3=:dotted"``; solid, dashed or dotted.
 """
 _OPTIONS: dict[str, Any] = {"names": NamesOption | None, "colours": ColoursOption | None}

@@ -686,17 +686,17 @@ def draw_sphere(
             neighbours, else parity. Your own colours follow the name,
             ``"sides:white,gold,#0072b2"``, or stand alone; or some regions have one,
             ``"+-+=gold,++-=#0af"``, and the others are white.
-        labels: of regions: "signs"; "numbers" in the order of `Arrangement.regions`, with a table
+        labels: "signs" of regions; "numbers" in the order of `Arrangement.regions`, with a table
             of sign vectors below; "none". If omitted, signs of up to four planes, else numbers,
             with the table for up to 24 regions. For some regions only: these, by sign vector or
             number, ``"+-+,3"``, or with texts, ``"+-+=A,3=B"`` or ``{"+-+": "A", 3: "B"}``.
-        axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
-            where the coordinates have a meaning, as x, y, r of the motions of a grasp.
+        axes: names of the axes, True for ``x,y,z``, or "none"; if omitted, axes are drawn where
+            coordinates have a meaning, such as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.
-        coordinates: "symmetric": after a linear map that shows the symmetry of the planes and
-            changes no sign vector; "even": after one that spreads the normals evenly; "given". If
-            omitted, symmetric (nearly parallel planes: even), but for planes of motions and with
-            axes.
+        coordinates: "symmetric", after a linear map that shows the symmetry of the planes and
+            changes no sign vector; "even", after one that spreads the normals evenly; or "given".
+            If omitted, given for planes of motions and with axes, even for nearly parallel planes,
+            else symmetric.
 
     Raises:
         InputError: another space, planes off the origin, too many circles, unknown colouring.

@@ -500,17 +500,17 @@ def draw_planes(
         arrangement: of rank at most 3, central or not, coincident planes allowed; in another space
             than R^3 its essentialisation.
         body: "ball" or "cube".
-        centre, radius: exact, of the body, instead of one that contains all vertices. For planes
-            whose vertices are far apart; what is outside is left out.
+        centre, radius: exact place and size of the body, if it is not to contain all vertices, for
+            planes whose vertices are far apart. What is outside is left out.
         camera: exact vector to the viewer; if omitted, one in which no plane is edge-on.
         azimuth: as for `draw_sphere`.
-        lift: sign vectors of cells such as ``"+-+"``, over the input planes. These cells are
-            drawn as solids, moved outward.
+        lift: sign vectors of cells such as ``"+-+"``, over the input planes; these cells are
+            drawn as solids and moved outward.
         colour: "planes" (each its own colour), "shade" (grey by the angle to the light), "none",
             or a function from a `DrawnFacet` to a colour.
-        labels: of lifted cells, as for `draw_sphere`.
-        axes: names of the axes; True for ``x,y,z``; or "none"; if omitted, there are some
-            where the coordinates have a meaning, as x, y, r of the motions of a grasp.
+        labels: labels of lifted cells, as for `draw_sphere`.
+        axes: names of the axes, True for ``x,y,z``, or "none"; if omitted, axes are drawn where
+            coordinates have a meaning, such as x, y, r of the motions of a grasp.
         sides: mark the positive side of each plane by an arrow.
         coordinates: as for `draw_sphere`; "given" if omitted and the body has a given place.
 

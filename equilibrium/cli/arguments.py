@@ -73,10 +73,10 @@ def add_command(
 
 def add_grasp(parser: Any, name: str, number: Any = None, preload: bool = True) -> None:
     """Add a grasp, as an argument or an option, and a preload in place of its own."""
-    text = "a path (JSON, or .csv with one contact a line), - for stdin, or a built-in name"
+    text = "a path (JSON, or .csv with one contact per line), - for stdin, or a built-in name"
     action = parser.add_argument(name, metavar="GRASP", nargs=number, help=text)
     parser.names[action.dest] = built_in
-    text = "take normals of any length: the nearest exact unit vector, with the change reported"
+    text = "replace normals of any length by the nearest exact unit vectors, and report the change"
     parser.add_argument("--round-normals", action="store_true", help=text)
     add_as_given(parser)
     if preload:
@@ -105,7 +105,8 @@ def built_in() -> Iterable[str]:
 def add_as_given(parser: argparse.ArgumentParser) -> None:
     """Add the choice to round numbers each on its own."""
     text = (
-        "round each number on its own; else normals that meet, circles and the like are preserved"
+        "round each number separately; by default incidences such as concurrent normals and points "
+        "on a circle are preserved"
     )
     parser.add_argument("--as-given", action="store_true", help=text)
 
@@ -145,7 +146,7 @@ def add_cone(parser: argparse.ArgumentParser) -> None:
         metavar="pyramid:K",
         type=_cone,
         default="round",
-        help="in space: friction pyramids of K edges, K even, in place of round cones",
+        help="in space: use friction pyramids with K edges, K even, instead of round cones",
     )
 
 
@@ -161,13 +162,13 @@ def _cone(text: str) -> int | None:
 def add_force(parser: argparse.ArgumentParser, group: Any) -> None:
     """Add a force or a weight at a point to the options of which one states a wrench."""
     rational = values.rational_argument
-    text = "instead: a force (three numbers in space)"
+    text = "instead of a wrench: a force (three numbers in space)"
     force = group.add_argument("--force", nargs=2, metavar=_AXES[:2], type=rational, help=text)
     group.add_argument(
         "--weight",
         metavar="W",
         type=rational,
-        help="instead: the force (0, -W), in space (0, 0, -W)",
+        help="instead of a wrench: the force (0, -W), in space (0, 0, -W)",
     )
     text = "where the force or weight acts (default: at the origin)"
     place = parser.add_argument("--at", nargs=2, metavar=("X", "Y"), type=rational, help=text)
@@ -240,7 +241,7 @@ class _OnBody(argparse._AppendAction):
 def add_on_body(
     group: Any,
     name: str = "--on",
-    text: str = "the wrench on one body, instead of that in its file",
+    text: str = "the wrench on one body, which replaces that of the file",
 ) -> None:
     """Add wrenches on the bodies of an assembly to the options of which one states a load."""
     text = f"of an assembly: {text}; repeatable"

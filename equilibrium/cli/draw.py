@@ -51,9 +51,9 @@ def add_lab(commands: Any) -> None:
     lab.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
     text = "initial force (f_x, f_y) and torque tau"
     add_applied(lab, text=text, required=False)
-    lab.add_argument("--title", metavar="TEXT", help="a heading")
+    lab.add_argument("--title", metavar="TEXT", help="heading of the page")
     lab.add_argument(
-        "--exercises", metavar="FILE", help="JSON with exercises, in place of the built-in ones"
+        "--exercises", metavar="FILE", help="JSON file of exercises that replace the built-in ones"
     )
 
 
@@ -62,14 +62,14 @@ def _add_options(draw: Parser) -> None:
     from equilibrium.pictures.views import DRAWINGS
 
     more = {
-        "output": "; .json of --view slice: its data; .xml (MuJoCo), .json of --model scene",
-        "model": "; scene: for physics engines, with the exact loads at which the grasp slips",
+        "output": "; .json: the data of --view slice; .xml (MuJoCo), .json: --model scene",
+        "model": "; scene is for physics engines, with the exact loads at which the grasp slips",
     }
     add_options(draw, DRAWINGS, own=("preload",), common=("wrench",), more=more)
     add_force(draw, draw.add_mutually_exclusive_group())
-    text = "the values of a letter in the file for which its load is resisted, such as t=0..1"
+    text = "show the values of a letter in the file, as in t=0..1, with which its load is resisted"
     draw.add_argument("--parameter", metavar="LETTER=FROM..TO", help=text)
-    add_wrench(draw, "--origin", "of the data of a slice: a wrench of the plane", None)
+    add_wrench(draw, "--origin", "for the .json data of --view slice: a wrench in its plane", None)
 
 
 def _draw(arguments: argparse.Namespace) -> int:

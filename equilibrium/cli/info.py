@@ -56,7 +56,7 @@ def add_command_info(commands: Any) -> None:
         "undecided",
     )
     parser = add_command(commands, "info", _info, text, *answers)
-    text = "report: decide this force (f_x, f_y) and torque tau, too, with its margin"
+    text = "report: also decide this force (f_x, f_y) and torque tau, with its margin"
     add_applied(parser, text=text, required=False)
     parser.add_argument(
         "-o", "--output", metavar="FILE.html", help="report: write it as a page with a picture"
@@ -66,16 +66,16 @@ def add_command_info(commands: Any) -> None:
     forms.add_argument("--force-closure", action="store_true", help=text)
     text = "list the contact modes of rigid contacts, from kinematics alone"
     forms.add_argument("--modes", action="store_true", help=text)
-    text = "with --force-closure: of the normal forces (default: L1)"
+    text = "with --force-closure: norm of the normal forces (default: L1)"
     parser.add_argument("--norm", choices=("L1", "Linf"), help=text)
     text = "with --force-closure: divide torques by this to compare them with forces (default: 1)"
     add_number(parser, "--torque-length", None, text)
     text = "with --force-closure: applied torque of the slice (default: 0)"
     add_number(parser, "--torque", None, text, "TAU")
     add_cone(parser)
-    text = "with --modes: print their number only"
+    text = "with --modes: print only their number"
     parser.add_argument("--count", action="store_true", default=None, help=text)
-    text = "with --modes: stop after SECONDS: exit code 2"
+    text = "with --modes: stop after SECONDS with exit code 2"
     parser.add_argument("--time-limit", metavar="SECONDS", type=values.seconds_argument, help=text)
 
 

@@ -43,9 +43,9 @@ def add_command_resisted(commands: Any) -> None:
     text = "compute the set of resisted wrenches, or its part along a load"
     answers = ("resisted at least in part", "not resisted or the search errs", "undecided")
     parser: Any = add_command(commands, "resisted", _resisted, text, *answers, heading="common")
-    text = "only the magnitudes resisted along this force (f_x, f_y) and torque tau"
+    text = "only the resisted magnitudes of this force (f_x, f_y) and torque tau"
     forms = add_applied(parser, text=text, required=False)
-    text = "the magnitudes of this wrench on one body that are resisted besides those of its file"
+    text = "the resisted magnitudes of this wrench on one body, added to the wrenches of the file"
     add_on_body(forms, "--along", text)
     add_on_body(parser)
     draw = "equilibrium draw GRASP --view resist -o REGION.svg"
@@ -54,25 +54,25 @@ def add_command_resisted(commands: Any) -> None:
     text = "planar grasps: find the smallest wrench that is not resisted, in any direction"
     forms.add_argument("--smallest", action="store_true", help=text)
     text = (
-        "planar grasps: find the least force at this point that the load does not bear, over all "
+        "planar grasps: find the least force at this point, in any direction, with which the load "
     )
     parser.add_argument(
         "--best-direction",
         nargs=2,
         type=values.rational_argument,
         metavar=("X", "Y"),
-        help=f"{text}directions",
+        help=f"{text}is no longer resisted",
     )
     text = "planar grasps: only the plane spanned by two of fx, fy, tau or vectors such as 1,0,0"
     forms.add_argument("--slice", nargs=2, metavar=("U", "V"), type=spanning_wrench, help=text)
     text = "planar grasps: search for the largest force in N directions, as the paper does"
     forms.add_argument("--search", action="store_true", help=text)
-    text = "print how far the load may be scaled, and the preload and friction that resist it"
+    text = "print by which factors the load may be scaled, and the least preload and friction"
     parser.add_argument("--margin", action="store_true", help=text)
-    text = "with --margin: the preload and the friction of these contacts; the others keep theirs"
+    text = "with --margin: change the preload and friction of these contacts only"
     numbers = contact_number
     parser.add_argument("--contacts", nargs="+", type=numbers, metavar="NUMBER", help=text)
-    text = "with --contacts: one more wrench that the preload has to resist; repeatable"
+    text = "with --contacts: another wrench that must be resisted with the preload; repeatable"
     parser.add_argument(
         "--also",
         nargs=3,
@@ -81,24 +81,24 @@ def add_command_resisted(commands: Any) -> None:
         metavar=("F_X", "F_Y", "TAU"),
         help=text,
     )
-    text = "the values of a letter in the file for which its load is resisted, such as t=0..1"
+    text = "find the values of a letter in the file, as in t=0..1, with which its load is resisted"
     parser.add_argument("--parameter", metavar="LETTER=FROM..TO", help=text)
-    text = "the least friction of these contacts that resists the load, each side with certificates"
+    text = "find the least friction of these contacts, with certificates just above and below it"
     parser.add_argument("--friction", nargs="+", type=numbers, metavar="NUMBER", help=text)
-    text = "with a load: print which contacts of this file (as GRASP), each added alone, resist it"
-    parser.add_argument("--candidates", metavar="FILE", help=text)
     text = (
-        "with a load, --smallest or --best-direction: a wrench that acts in any case (default: 0)"
+        "with a load: list the contacts of this file with which, each added alone, it is resisted"
     )
+    parser.add_argument("--candidates", metavar="FILE", help=text)
+    text = "with a load, --smallest or --best-direction: a wrench that acts as well (default: 0)"
     add_wrench(parser, "--base", text, None)
     text = "with --smallest: divide torques by this to compare them with forces (default: 1)"
     add_number(parser, "--torque-length", None, text)
-    add_wrench(parser, "--origin", "with --slice: a wrench of the plane (default: none)", None)
+    add_wrench(parser, "--origin", "with --slice: a wrench in the plane (default: 0)", None)
     text = "with --search: number of directions (default: 72)"
     parser.add_argument("--rays", type=values.count_argument, metavar="N", help=text)
     text = "with --search: largest magnitude tried (default: 1000)"
     add_number(parser, "--max-magnitude", None, text)
-    text = "accepted error: of the friction of --margin (default: 1/1048576), of the magnitudes of "
+    text = "accepted error of the friction of --margin (default: 1/1048576), of the magnitudes of "
     add_number(
         parser,
         "--tolerance",

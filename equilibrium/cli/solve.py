@@ -56,8 +56,8 @@ def add_command_solve(commands: Any) -> None:
     loads.add_argument(
         "--wrenches",
         metavar="FILE",
-        help="of many grasps: the loads, a .csv with the columns f_x, f_y, tau (in space f_x to "
-        "tau_z) and, if grasps have loads of their own, grasp; or a .npz with an array wrenches",
+        help="for many grasps: the loads, a .csv with the columns f_x, f_y, tau (in space f_x to "
+        "tau_z) and, if each grasp has its own loads, grasp; or a .npz with an array wrenches",
     )
     many = parser.add_argument_group(
         "many grasps (a .npz of arrays, or a .csv with a column grasp)"
@@ -69,13 +69,13 @@ def add_command_solve(commands: Any) -> None:
     parser.add_argument(
         "--certificate",
         metavar="OUT.json",
-        help="write the certificate; with --robust the proof for all grasps, if it holds",
+        help="write the certificate; with --robust the proof for all grasps, if there is one",
     )
     parser.add_argument(
         "--time-limit",
         metavar="SECONDS",
         type=values.seconds_argument,
-        help="stop after SECONDS: exit code 2, in space 3",
+        help="stop after SECONDS with exit code 2, in space 3",
     )
     add_cone(parser)
     add_displacement(parser)
@@ -89,12 +89,14 @@ def add_command_solve(commands: Any) -> None:
         "3 undecided",
     )
     parser.add_argument(
-        "--shorten", action="store_true", help="search longer for a smaller proof of a no"
+        "--shorten",
+        action="store_true",
+        help="search longer for a smaller proof that the load is not resisted",
     )
     parser.add_argument(
         "--all",
         action="store_true",
-        help="list all equilibria of more than 20 contacts, and of an assembly, too",
+        help="list all equilibria also of more than 20 contacts and of an assembly",
     )
     other = parser.add_mutually_exclusive_group()
     other.add_argument(

@@ -66,9 +66,9 @@ def draw_resist(
 
     Args:
         grasp: contacts.
-        wrench: marked: a disc when it is resisted, a cross when not; the plane has its torque.
-        extent: half the side of the picture, about the origin; then nothing fades, as what
-            reaches the edge may end beyond; if omitted, the whole boundary is shown.
+        wrench: wrench to mark, by a disc if it is resisted, else a cross; the plane has its torque.
+        extent: half the side of the picture, with the origin in the middle; then nothing fades, as
+            a polygon at the edge may end beyond it; if omitted, the whole boundary is shown.
 
     Raises:
         GraspError: an extent that is not above 0.
@@ -127,11 +127,12 @@ def draw_compare(
 
     Args:
         grasp: contacts; springs and preload count where a method knows of them.
-        wrench: marked in every panel: a disc where the method accepts it, a cross where it does
-            not; the plane has its torque.
+        wrench: wrench to mark in every panel, with a disc where the method predicts stable, else a
+            cross; the plane has its torque.
         methods: keys of `equilibrium.methods.METHODS`; if omitted, all that have a region (without
             those for which the contacts are too many).
-        extent: half the side of each panel, about the origin; if omitted, all boundaries are shown.
+        extent: half the side of each panel, with the origin in the middle; if omitted, all
+            boundaries are shown.
 
     Raises:
         GraspError: an unknown method or none, too many contacts, an extent that is not above 0.
@@ -175,13 +176,14 @@ def draw_slice(
 
     Args:
         grasp: contacts.
-        wrench: marked in every part; the plane has its torque.
+        wrench: wrench to mark in every part; the plane has its torque.
         preload: at every contact of part (c); if omitted, the grasp's own preloads, or 1 where it
             has none.
-        extent: half the side of each part, about the origin; if omitted, all boundaries are shown.
-        slice: in space, the two coordinates of the plane, of fx, fy, fz, tx, ty, tz; if omitted,
-            fx and fy.
-        rays: in space, in how many directions boundaries are looked for, evenly spaced.
+        extent: half the side of each part, with the origin in the middle; if omitted, all
+            boundaries are shown.
+        slice: in space, two of the coordinates fx, fy, fz, tx, ty, tz, which span the plane; if
+            omitted, fx and fy.
+        rays: in space, number of evenly spaced directions in which boundaries are computed.
 
     Raises:
         GraspError: an extent that is not above 0.

@@ -63,14 +63,14 @@ def draw_grasp(
 
     Args:
         grasp: contacts; none, coincident ones and coordinates of any size are possible.
-        wrench: applied (f_x, f_y, tau), the torque about the origin, or six numbers in space; if
-            omitted, none acts and nothing is solved.
-        outline: corners of the object, exact, instead of the outline of the grasp, in the plane.
-        equilibrium: which of the equilibria found (see `solve`), from 1, in the plane.
+        wrench: applied wrench (f_x, f_y, tau), with the torque about the origin, or six numbers in
+            space; if omitted, none acts and nothing is solved.
+        outline: exact corners of the object in the plane, which replace the outline of the grasp.
+        equilibrium: number of the equilibrium in the plane (see `solve`), from 1.
         camera: exact vector to the viewer, in space; if omitted, one from above that sees forces
             from the side.
         azimuth: degrees by which the viewer moves to the right, in space.
-        max_displacement: exact; only equilibria up to it count, see `solve`.
+        max_displacement: count only equilibria up to this exact displacement (see `solve`).
 
     Raises:
         GraspError: a bad outline, or no such equilibrium.

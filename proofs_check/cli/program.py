@@ -109,7 +109,7 @@ def _parser() -> Parser:
             added.add_argument(
                 "--strict",
                 action="store_true",
-                help="exit code 3 where no counterexample was found, but not all cases were tried",
+                help="exit with 3 if no counterexample was found but not all cases were tried",
             )
         return added
 
@@ -134,7 +134,7 @@ def _parser() -> Parser:
         help="a claim to describe, or a file (default: the claims of the paper)",
     )
     new = command("new", "listing.new_file", "write a file of claims to start from")
-    new.add_argument("name", metavar="NAME", help="of the file; .py is added")
+    new.add_argument("name", metavar="NAME", help="name of the file, without .py")
     new.add_argument(
         "--example",
         metavar="EXAMPLE",
@@ -148,7 +148,7 @@ def _parser() -> Parser:
         "--output",
         required=True,
         metavar="FOLDER",
-        help="for the page index.html, and each figure and table as SVG, PDF and TikZ",
+        help="folder for index.html and each figure and table as SVG, PDF and TikZ",
     )
     whole.add_argument(
         "--measure",
@@ -183,9 +183,9 @@ def _parser() -> Parser:
         "none fits",
     )
     fitted.add_argument(
-        "quantity", metavar="QUANTITY", help="such as regions or f_vector[1]; or FILE.py:ID"
+        "quantity", metavar="QUANTITY", help="a count such as regions or f_vector[1], or FILE.py:ID"
     )
-    fitted.add_argument("--of", metavar="FAMILY", help="such as 'generic(m=2..9)'")
+    fitted.add_argument("--of", metavar="FAMILY", help="a family such as 'generic(m=2..9)'")
     _add_extreme(
         command(
             "extreme",
@@ -204,18 +204,24 @@ def _parser() -> Parser:
         )
     )
     grade = command(
-        "grade", "grade.run_grade", "grade answers to exercises", "all are right", "one is wrong"
+        "grade",
+        "grade.run_grade",
+        "grade answers to exercises",
+        "all answers are right",
+        "an answer is wrong",
     )
-    text = "the exercises; it is run as a program. Or those of a lab: slip-lab, arrangement-lab, "
+    text = "the exercises, run as a program; or those of a lab: slip-lab, arrangement-lab, "
     grade.add_argument("exercises", metavar="FILE.py", help=f"{text}or the .json of its editor")
     grade.add_argument(
         "answers",
         nargs="?",
         metavar="ANSWERS.json",
-        help="or a folder with such a file for each student (default: list the questions)",
+        help="the answers, or a folder with a file of each student (default: list the questions)",
     )
-    grade.add_argument("-o", "--output", metavar="POINTS.csv", help="the points of a folder")
-    text = "the class, in whose order students are listed: a first column with the names of files"
+    grade.add_argument(
+        "-o", "--output", metavar="POINTS.csv", help="write the points of all students here"
+    )
+    text = "the class list, in the order of the result; its first column has the names of files"
     grade.add_argument("--students", metavar="LIST.csv", help=text)
     return parser
 
@@ -247,13 +253,15 @@ def _add_run(parser: argparse.ArgumentParser) -> None:
         "printed numbers in columns arrangement, quantity, printed (- for stdin)",
     )
     _add_seed(parser)
-    _add_output(parser, remark="to write as well")
+    _add_output(parser, remark="(default: none)")
     terminal.add_jobs_option(parser)
-    parser.add_argument("--large", action="store_true", help="the claims that take minutes, too")
+    parser.add_argument(
+        "--large", action="store_true", help="also check the claims that take minutes"
+    )
     parser.add_argument(
         "--verified",
         action="store_true",
-        help="count by the formally verified program, too (built by `make formal`)",
+        help="also count with the formally verified program (built by `make formal`)",
     )
     _add_save(_add_own(parser))
 
@@ -262,17 +270,17 @@ def _add_try(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "statement",
         metavar="STATEMENT",
-        help='such as "p_vector.get(3, 0) >= m"; with regions, f_vector, t_vector, chi(t), ...',
+        help='such as "p_vector.get(3, 0) >= m"; its names are regions, f_vector, chi(t), ...',
     )
     parser.add_argument(
         "--of",
         metavar="DOMAIN",
-        help="which planes, as simple, lines or affine(d=2); or a family, as 'catalan(n=2..6)' "
-        "(default: distinct; lines as well where it is refuted)",
+        help="the planes, such as simple, lines or affine(d=2); or a family, as 'catalan(n=2..6)' "
+        "(default: distinct; also lines if it is refuted)",
     )
     parser.add_argument("--when", metavar="STATEMENT", help="a hypothesis")
     _add_seed(parser)
-    _add_output(parser, remark="to write as well")
+    _add_output(parser, remark="(default: none)")
     _add_numbers(parser)
     _add_save(parser)
 
@@ -280,7 +288,7 @@ def _add_try(parser: argparse.ArgumentParser) -> None:
 def _add_own(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
     group = parser.add_argument_group(
         "user-defined claims (FILE.py)",
-        "The file is run as a Python program, with all your rights.",
+        "The file is run as a Python program with all your permissions.",
     )
     _add_numbers(group)
     return group
@@ -291,13 +299,13 @@ def _add_numbers(parser: argparse._ActionsContainer) -> None:
         "--samples",
         type=values.count_argument,
         metavar="N",
-        help="random instances of each claim",
+        help="number of random instances of each claim",
     )
     parser.add_argument(
         "--classes",
         type=_range,
         metavar="LOW..HIGH",
-        help="every isomorphism class of rank 3 with that many planes",
+        help="check every isomorphism class of rank 3 with LOW to HIGH planes",
     )
 
 
@@ -305,33 +313,31 @@ def _add_save(parser: argparse._ActionsContainer) -> None:
     parser.add_argument(
         "--save",
         metavar="FOLDER",
-        help="write the instances that refute a claim here (default: none is written)",
+        help="write the instances that refute a claim here",
     )
 
 
 def _add_extreme(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "quantity", metavar="QUANTITY", help="such as regions, or t_vector.get(2, 0)"
+        "quantity", metavar="QUANTITY", help="a count such as regions or t_vector.get(2, 0)"
     )
     parser.add_argument(
-        "--of", required=True, metavar="DOMAIN", help="such as lines, simple-lines, or rank-3"
+        "--of", required=True, metavar="DOMAIN", help="lines, simple-lines, rank-3, ..."
     )
     parser.add_argument(
         "--classes",
         type=_range,
         required=True,
         metavar="LOW..HIGH",
-        help="every isomorphism class of that many lines or planes",
+        help="every isomorphism class of LOW to HIGH lines or planes",
     )
     way = parser.add_mutually_exclusive_group()
-    way.add_argument("--largest", action="store_true", help="(default)")
-    way.add_argument("--smallest", action="store_true", help="the smallest value instead")
+    way.add_argument("--largest", action="store_true", help="print the largest value (default)")
+    way.add_argument("--smallest", action="store_true", help="print the smallest value")
     parser.add_argument(
         "--when", metavar="CONDITION", help="only classes that satisfy this condition"
     )
-    parser.add_argument(
-        "--save", metavar="FOLDER", help="write an example of each value here, to draw or count"
-    )
+    parser.add_argument("--save", metavar="FOLDER", help="write an example of each value here")
 
 
 def _add_sweep(parser: argparse.ArgumentParser) -> None:
@@ -343,26 +349,32 @@ def _add_sweep(parser: argparse.ArgumentParser) -> None:
     instead.add_argument(
         "--status",
         action="store_true",
-        help="print the progress of the sweep: exit code 0 complete, 1 not yet",
+        help="print the progress of the sweep; exit code 0 if it is complete, else 1",
     )
     instead.add_argument(
-        "--merge", nargs="+", metavar="PART", help="add the chunks of these stores of one sweep"
+        "--merge",
+        nargs="+",
+        metavar="PART",
+        help="add the chunks of these stores of the same sweep",
     )
     instances = parser.add_mutually_exclusive_group()
     instances.add_argument(
         "--elements",
         type=_range,
         metavar="LOW..HIGH",
-        help="numbers of planes, or of contacts, of random instances",
+        help="numbers of planes or of contacts of random instances",
     )
     instances.add_argument(
         "--classes",
         type=_range,
         metavar="LOW..HIGH",
-        help="every isomorphism class of rank 3 with that many planes (3 to 9), none at random",
+        help="every isomorphism class of rank 3 with LOW to HIGH planes, instead of random ones",
     )
     parser.add_argument(
-        "--samples", type=values.integer_argument, metavar="N", help="random instances in all"
+        "--samples",
+        type=values.integer_argument,
+        metavar="N",
+        help="total number of random instances",
     )
     _add_seed(parser)
     terminal.add_worker_options(parser)
@@ -371,7 +383,7 @@ def _add_sweep(parser: argparse.ArgumentParser) -> None:
         type=values.integer_argument,
         default=200,
         metavar="N",
-        help="instances in a chunk (default: 200)",
+        help="number of instances in a chunk (default: 200)",
     )
 
 
@@ -380,7 +392,7 @@ def _add_seed(parser: argparse.ArgumentParser) -> None:
         "--seed",
         type=values.integer_argument,
         default=0,
-        help="of the random instances (default: 0)",
+        help="seed of the random instances (default: 0)",
     )
 
 

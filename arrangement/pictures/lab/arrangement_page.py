@@ -68,7 +68,7 @@ def arrangement_page(
         coordinates: at first: "given"; "symmetric", after a linear map that shows the symmetry of
             the planes; "even", after one that spreads the normals evenly. If omitted, symmetric
             where that differs, but for planes of motions, and even where they are nearly parallel.
-        colours: of single planes, as for `draw_sphere`; a page has no dashes.
+        colours: as for `draw_sphere`; a page has no dashes.
 
     Raises:
         InputError: another space, planes off the origin, too many planes, unknown colouring.
