@@ -24,7 +24,7 @@ from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Leaf
 
 from .contact_law import spring_row
-from .float_law import FloatLaw
+from .float_law import FloatLaw, cone_edges
 
 #: Larger numbers are cut off.
 _MAX_FLOAT = 1e60
@@ -53,7 +53,7 @@ class FloatContacts(FloatLaw):
         number: rounds, to floats or to other numbers of Python.
 
     Attributes:
-        tangent: (m, n), the first tangents; pull: friction times that.
+        tangent: (m, n), the first tangents.
         length: a typical distance of the contacts from the origin.
     """
 
@@ -70,7 +70,6 @@ class FloatContacts(FloatLaw):
         tangents = table[:, n:-3].reshape(m, rows.tangents, n)
         super().__init__(table[:, :n].copy(), tangents, *table[:, -3:].T)
         self.tangent = self.tangents[:, 0]
-        self.pull = self.friction[:, None] * self.tangent
         points = np.array([[nearest(x) for x in point] for point in rows.points])
         self.length = median(np.linalg.norm(points, axis=1).tolist()) if m else 1.0
         if not self.length > 0:
@@ -103,8 +102,8 @@ class IntegerContacts:
 
     Attributes:
         spring: (m, 4), the row ``(preload, -stiffness N)`` times `spring_unit`.
-        normal, tangent: (m, 3), N and T times `wrench_unit`.
-        friction: numerators over `friction_unit`.
+        tangent: (m, 3), T times a number above 0.
+        edges: (m, 3), see `cone_edges`, times `edge_unit`.
         max_displacement: how far contact points may move for an equilibrium to count, if bounded.
     """
 
@@ -118,36 +117,25 @@ class IntegerContacts:
         self.spring = whole([row for row, _ in spring], (m, 4))
         self.spring_unit = whole([unit for _, unit in spring], (m,))
         both = whole([row for row, _ in wrenches], (m, 6))
-        self.normal, self.tangent = both[:, :3], both[:, 3:]
-        self.wrench_unit = whole([unit for _, unit in wrenches], (m,))
-        self.friction = whole([c.friction.numerator for c in grasp], (m,))
-        self.friction_unit = whole([c.friction.denominator for c in grasp], (m,))
+        friction = whole([c.friction.numerator for c in grasp], (m,))
+        unit = whole([c.friction.denominator for c in grasp], (m,))
+        self.tangent = both[:, 3:]
+        self.edges = cone_edges(both[:, :3] * unit[:, None], both[:, None, 3:], friction)
+        self.edge_unit = unit * whole([unit for _, unit in wrenches], (m,))
 
     def __len__(self) -> int:
         return len(self.grasp)
 
     @cached_property
     def common_unit(self) -> int:
-        """A common denominator of all products of a spring force with N or friction times T."""
-        return math.lcm(*(self.spring_unit * self.wrench_unit * self.friction_unit).tolist())
+        """A common denominator of all products of a spring force with an edge."""
+        return math.lcm(*(self.spring_unit * self.edge_unit).tolist())
 
     @cached_property
     def shares(self) -> Whole:
-        """`common_unit` over the product of the three units of each contact."""
-        units = self.spring_unit * self.wrench_unit * self.friction_unit
-        shares: Whole = self.common_unit // units
+        """`common_unit` over the product of the two units of each contact."""
+        shares: Whole = self.common_unit // (self.spring_unit * self.edge_unit)
         return shares
-
-    @cached_property
-    def balance(self) -> tuple[Whole, Whole]:
-        """Return N and friction times T, (m, 3), ready to be added up.
-
-        Multiplied by spring rows without their unit, they are wrenches times `common_unit`.
-        """
-        return (
-            self.normal * (self.shares * self.friction_unit)[:, None],
-            self.tangent * (self.shares * self.friction)[:, None],
-        )
 
     @cached_property
     def bounds(self) -> tuple[Whole, list[Fraction]]:

@@ -43,6 +43,22 @@ def norms(slips: Floats) -> Floats:
     return lengths
 
 
+def cone_edges(normal: Floats, tangents: Floats, friction: Floats) -> tuple[Floats, Floats]:
+    """Return the wrenches of normal forces of 1 at contacts that slip +, and at those that slip -.
+
+    They are the edges of a friction cone along one tangent. The least work on a virtual motion is
+    that of an edge which the directions of slip allow.
+    """
+    limits = friction[..., None]
+    return _with_friction(normal, tangents, -limits), _with_friction(normal, tangents, limits)
+
+
+def _with_friction(normal: Floats, tangents: Floats, friction: Floats) -> Floats:
+    """Return the wrenches of normal forces of 1 with friction (..., m, t)."""
+    wrenches: Floats = normal + np.einsum("...t,...tn->...n", friction, tangents)
+    return wrenches
+
+
 class FloatLaw:
     """The numbers of m contacts in R^n with t tangents, of one question or of many, and their law.
 
@@ -97,9 +113,12 @@ class FloatLaw:
             at: an index, of the contacts that the shares are of; all by default.
         """
         limits = self.friction[at][..., None] * shares
-        pulls = np.einsum("...t,...tn->...n", limits, self.tangents[at])
-        wrenches: Floats = self.normal[at] + pulls
-        return wrenches
+        return _with_friction(self.normal[at], self.tangents[at], limits)
+
+    @cached_property
+    def edges(self) -> tuple[Floats, Floats]:
+        """See `cone_edges`."""
+        return cone_edges(self.normal, self.tangents, self.friction)
 
     def least_works(self, virtual: Floats, most: Floats) -> Floats:
         """Return kappa (..., m), the least works of normal forces of 1 on virtual motions.

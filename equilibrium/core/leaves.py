@@ -262,6 +262,8 @@ class Leaves:
         )
         for i, row in leaf.multipliers.items():
             rows[i] = [ratio(x, unit) if x else 0.0 for x in row]
+        # The least works of `FloatLaw` by one product; compared with the checker's rule in
+        # test_contacts_of_leaves_obey_the_rule_of_certificates.
         alpha, moved = rows[:, 0], self._frames @ motion
         slip = moved[:, :-1]
         return FloatLeaf(

@@ -273,6 +273,9 @@ class Programs:
             for key, x in terms.items():
                 table[row, at[key]] = nearest(x)
         forces, table = table[:f, :count], table[f:]
+        # Directions of slip have integers of any size.
+        moved = np.flatnonzero(~table[: none + len(least), :count].any(axis=1))
+        table[moved] /= np.abs(table[moved]).max(axis=1, keepdims=True)
         cones = [("zero", none), ("plus", len(least))]
         if in_round:
             cones.append(("round", f))

@@ -100,8 +100,9 @@ def rubbing_states(
     ratio = forces[:, 1:] / np.maximum(c.friction * normal, 1e-300)[:, None]
     moved = press[rubs] / c.stiffness[rubs]
     rows = np.concatenate([c.normal[rubs], *c.tangents[rubs].swapaxes(0, 1)])
-    ends = [c.preload[rubs] / c.stiffness[rubs] - moved, *(-ratio[rubs].T * moved)]
-    change = np.linalg.lstsq(rows, np.concatenate(ends) - rows @ motion, rcond=None)[0]
+    lifts = (c.spring_forces(motion) - press)[rubs] / c.stiffness[rubs]
+    slips = -ratio[rubs] * moved[:, None] - c.slips(motion)[rubs]
+    change = np.linalg.lstsq(rows, np.concatenate([lifts, *slips.T]), rcond=None)[0]
     return motion + change, States(c, normal, ratio)
 
 

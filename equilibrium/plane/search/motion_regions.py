@@ -187,9 +187,8 @@ class MotionRegions:
         works = load > _TOLERANCE * np.abs(load).max()
         for row in np.flatnonzero(works & (least.min(axis=0, initial=1.0) > -_TOLERANCE)):
             motion = np.array(v.integers(v.candidates[row]), dtype=object)
-            across = np.abs(c.tangent.dot(motion) * c.friction)
             work = sum(int(x) * w for x, w in zip(motion, self.wrench, strict=True))
-            if work > 0 and (c.normal.dot(motion) * c.friction_unit >= across).all():
+            if work > 0 and all((edge.dot(motion) >= 0).all() for edge in c.edges):
                 return Leaf(tuple(motion.tolist()), {})
         return None
 

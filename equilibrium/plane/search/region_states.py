@@ -16,8 +16,8 @@ import numpy as np
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot
 from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.core.contact_law import LinearQuestion, spring_force
-from equilibrium.core.contact_program import ContactProgram, Node as States
+from equilibrium.core.contact_law import LinearQuestion, exact, fraction
+from equilibrium.core.contact_program import ContactProgram, Node as States, Values
 from equilibrium.core.contacts import IntegerContacts, product
 from equilibrium.model.effort import Effort
 from equilibrium.model.solution import Leaf, Solution
@@ -54,7 +54,7 @@ class StateSplits:
         signs = (slips > 0).all(axis=0).astype(int) - (slips < 0).all(axis=0).astype(int)
         bounds = product(matrix, contacts.bounds[0].T)
         apart, touching = np.all(springs <= 0, axis=0), np.all(springs >= 0, axis=0)
-        rubs = (signs == 0) & np.array(contacts.friction > 0, dtype=bool)
+        rubs = (signs == 0) & np.array([c.friction > 0 for c in contacts.grasp], dtype=bool)
         decided = apart | (touching & ~rubs)
         # Some motions of the region are too large.
         decided[np.flatnonzero((bounds < 0).any(axis=0)) // 4] = False
@@ -64,25 +64,26 @@ class StateSplits:
             "detached" if apart[i] else "attached" if touching[i] else "undecided"
             for i in self.open
         )
-        self._signs = signs.tolist()
+        self._known: States = tuple(np.where(apart, "detached", "attached").tolist())
         weights, scale = _weights(generators)
         chords = [
             _chord(springs[:, i].tolist(), weights, scale * contacts.spring_unit[i])
             for i in (self.open if weights else ())
         ]
         # What the decided contacts give.
-        along, across = contacts.balance
         pressing = np.flatnonzero(decided & ~apart)
-        arms = (along - signs[:, None] * across)[pressing]
-        given = product(arms.T, contacts.spring[pressing]) / Fraction(contacts.common_unit)
+        arms = np.where(signs[:, None] > 0, *contacts.edges) * contacts.shares[:, None]
+        given = product(arms[pressing].T, contacts.spring[pressing])
+        given = given / Fraction(contacts.common_unit)
         rows = contacts.floats.rows
+        self._all = LinearQuestion(rows, wrench, signs=tuple(signs.tolist()))
         self.question = LinearQuestion(
             replace(rows, contacts=tuple(rows[i] for i in self.open)),
             wrench,
             max_displacement=contacts.max_displacement,
             region=tuple(tuple(map(Fraction, (*row[1:], row[0]))) for row in weights),
             background=tuple((*row[1:], row[0]) for row in given.tolist()),
-            signs=tuple(self._signs[i] for i in self.open),
+            signs=tuple(self._all.signs[i] for i in self.open),
             chords=tuple(chords),
         )
 
@@ -133,13 +134,13 @@ class StateSplits:
         """Return the equilibrium of a program with the forces of all contacts."""
         solution = program.solution()
         assert solution is not None
-        forces: list[RationalVector] = []
-        for contact, sign in zip(self.contacts.grasp, self._signs, strict=True):
-            normal = max(spring_force(contact, solution.motion), Fraction(0))
-            forces.append((normal, -sign * contact.friction * normal))
-        for i, force in zip(self.open, solution.forces, strict=True):
-            forces[i] = force
-        return Solution(solution.motion, tuple(forces))
+        forces = dict(zip(self.open, solution.forces, strict=True))
+        at = Values(self._all.symbols, range(len(solution.motion)), solution.motion)
+        for i, state in enumerate(self._known):
+            if i not in forces:
+                law = self._all.conditions(i, state)
+                forces[i] = tuple(fraction(at.of(force)) for force in law.forces)
+        return Solution(solution.motion, tuple(forces[i] for i in range(len(self._known))))
 
     def _leaf(self, program: ContactProgram) -> Leaf:
         """Return a leaf, without the multipliers that follow from the region."""
@@ -163,10 +164,8 @@ class StateSplits:
 
     def _factor(self, i: int, motion: RationalVector) -> Fraction:
         """Return the least work of a unit normal force of a contact on a virtual motion."""
-        contact, sign = self.question.rows[i], self.question.sign(i, "undecided")
-        work: Fraction = dot(contact.normal_wrench, motion)
-        across: Fraction = contact.friction * dot(contact.tangential_wrenches[0], motion)
-        return work - (sign * across if sign else abs(across))
+        wrenches = self.question.unit_wrenches(i, "undecided")
+        return min(fraction(dot(wrench, list(map(exact, motion)))) for wrench in wrenches)
 
 
 def _chord(springs: Sequence[int], weights: Sequence[IntegerVector], unit: int) -> RationalVector:

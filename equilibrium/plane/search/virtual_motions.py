@@ -17,7 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, primitive
-from arrangement.numbers.float_filter import Floats
+from arrangement.numbers.float_filter import Booleans, Floats
 from arrangement.numbers.linear.float_dictionary import FloatDictionary
 from equilibrium.core.contacts import FloatContacts, IntegerContacts, nearest, product, whole
 
@@ -61,9 +61,9 @@ class VirtualMotions:
         c = self.contacts
         real = motions / np.array([1.0, 1.0, self.arm])
         columns = np.swapaxes(real / np.linalg.norm(motions, axis=-1, keepdims=True), -1, -2)
-        along, across = c.normal[used] @ columns, c.pull[used] @ columns
-        either = along - np.abs(across)
-        lows = (np.minimum(x, 0.0) for x in (either, along - across, along + across))
+        works = [edge[used] @ columns for edge in c.edges]
+        either = np.minimum(*works)
+        lows = (np.minimum(x, 0.0) for x in (either, *works))
         return columns, either, *lows
 
     def values(self, regions: Regions, motions: Floats | None = None) -> Floats:
@@ -125,8 +125,7 @@ class VirtualMotions:
         works = np.hstack([regions.spring[n][:, used], -regions.lifted[n][:, used], base])
         works /= np.maximum(np.abs(works).sum(axis=1, keepdims=True), 1e-300)
         room = np.where((regions.weight[n] > 0) | base.any(axis=1), _ROUNDED_WORK, 0.0)
-        along, across = self.contacts.normal[used] / arms, self.contacts.pull[used] / arms
-        kappas = np.concatenate([along - across, along + across])
+        kappas = np.concatenate([edge[used] for edge in self.contacts.edges]) / arms
         unit, rounded = np.tile(np.eye(count), (2, 1)), np.abs(kappas).sum(axis=1) / 2
         possible = np.concatenate([regions.slip[n, used] >= 0, regions.slip[n, used] <= 0])
         limits = np.column_stack([-unit, unit, kappas, -rounded])[possible]
@@ -178,9 +177,10 @@ class Regions:
             shift.max(axis=1) < -_TOLERANCE, 1, 0
         )
         self.open = self.mixed | (touching & (self.slip == 0))
-        decided = self.lifted * (touching & ~self.open)[:, None]
-        self.linear = self.weight[..., None] * load + decided @ contacts.normal
-        self.linear -= (decided * self.slip[:, None]) @ contacts.pull
+        self.linear = self.weight[..., None] * load
+        for sign, edge in zip((1, -1), contacts.edges, strict=True):
+            decided = touching & (self.slip == sign)
+            self.linear = self.linear + (self.lifted * decided[:, None]) @ edge
         self.size = np.linalg.norm(load) * self.weight.max(axis=1)
         self.size += self.lifted.sum(axis=2).max(axis=1)
 
@@ -223,27 +223,25 @@ def closed(
         factors: (R, m), integers; of a contact with one above 0 that, times e, is its least work,
             if it is at most kappa.
 
-    With ``a = lambda . N``, ``b = lambda . T``, the contacts' least work for the spring force e is
-    ``kappa e``: kappa = a - mu b where the contact surely slips +, a + mu b where it slips -, else
-    a - mu |b|. Where e changes sign in the region it is 0, or ``kappa max(0, e)`` for kappa < 0. A
-    virtual motion closes a region if at each generator the work of the load and all these add up to
-    a positive number, or to 0 or more at unbounded motions (d_0 = 0).
+    The contacts' least work for the spring force e is ``kappa e``: kappa is the work of an edge of
+    the friction cone where the contact surely slips one way, else the lesser one of both. Where e
+    changes sign in the region it is 0, or ``kappa max(0, e)`` for kappa < 0. A virtual motion
+    closes a region if at each generator the work of the load and all these add up to a positive
+    number, or to 0 or more at unbounded motions (d_0 = 0).
     """
     count, m = len(regions), len(contacts)
     generators = whole(regions, (count, 4, 4))
     chosen = whole(motions, (count, 3))
     spring = product(generators.reshape(-1, 4), contacts.spring.T).reshape(count, 4, m)
     slip = product(generators[:, :, 1:].reshape(-1, 3), contacts.tangent.T).reshape(count, 4, m)
-    along = product(chosen, contacts.normal.T)
-    across = product(chosen, contacts.tangent.T) * contacts.friction
-    along = along * contacts.friction_unit
-    sliding = np.where((slip > 0).all(axis=1), 1, 0) - np.where((slip < 0).all(axis=1), 1, 0)
-    kappa = along - np.where(sliding == 0, np.abs(across), sliding * across)
+    one, other = (product(chosen, edge.T) for edge in contacts.edges)
+    kappa = np.where((slip > 0).all(axis=1), one, np.minimum(one, other))
+    kappa = np.where((slip < 0).all(axis=1), other, kappa)
     low, high = spring.min(axis=1, initial=0), spring.max(axis=1, initial=0)
     mixed = (low < 0) & (high > 0)
     scaled = whole([[int(x) for x in row] for row in factors.tolist()], (count, m))
-    scaled = contacts.wrench_unit * contacts.friction_unit * scaled
-    broken = (scaled > np.maximum(kappa, 0)).any(axis=1)
+    scaled = contacts.edge_unit * scaled
+    broken: Booleans = np.any(scaled > np.maximum(kappa, 0), axis=1)
     kappa = np.where((high <= 0) | (mixed & (kappa > 0)), 0, kappa)
     terms = kappa[:, None, :] * np.where(spring > 0, spring, 0)
     terms = np.where(scaled[:, None, :] > 0, scaled[:, None, :] * spring, terms)
