@@ -6,6 +6,7 @@ relaxation: it has every solution.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
@@ -57,22 +58,32 @@ class End(NamedTuple):
 
 
 class Values(dict[Any, Any]):
-    """The numbers of unknowns at a point, and of symbols when they are looked up."""
+    """The numbers of unknowns at a point, and of symbols when they are looked up, times a unit.
+
+    The unit is a common denominator, as reduced fractions would take several times as long.
+    """
 
     def __init__(self, symbols: Mapping[Any, Terms], keys: Iterable[Any], point: Any) -> None:
-        super().__init__(zip(keys, map(exact, point), strict=True))
-        self[-1], self._symbols = 1, symbols
+        is_rational = all(isinstance(x, (Fraction, int)) for x in point)
+        self.unit = math.lcm(*(x.denominator for x in point)) if is_rational else 1
+        super().__init__(zip(keys, (exact(x * self.unit) for x in point), strict=True))
+        self[-1], self._symbols = exact(Fraction(self.unit)), symbols
 
     def __missing__(self, key: Any) -> Any:
         self[key] = number = self.of(self._symbols[key])
         return number
 
     def of(self, terms: Terms) -> Any:
-        """Return the number of an expression."""
+        """Return the number of an expression times the unit."""
         total = 0
         for key, x in terms.items():
             total += x * self[key]
         return total
+
+    def fraction(self, terms: Terms) -> Fraction:
+        """Return the number of an expression of rational numbers."""
+        number = self.of(terms)
+        return Fraction(int(number.numerator), int(number.denominator) * self.unit)
 
 
 class ContactProgram:
@@ -241,7 +252,7 @@ class ContactProgram:
         return self._at(point, self.values(point))
 
     def _at(self, point: Sequence[Fraction], at: Values) -> Solution:
-        forces = [tuple([fraction(at.of(x)) for x in terms]) for terms in self.forces]
+        forces = [tuple(map(at.fraction, terms)) for terms in self.forces]
         return Solution(tuple(point[: self.question.rows.n]), tuple(forces))
 
     def holds(self, solution: Solution) -> bool:
@@ -305,7 +316,7 @@ class ContactProgram:
         violations, states = [], []
         for i, (contact, forces) in enumerate(zip(question.rows, self.forces, strict=True)):
             terms = *forces, {("slip", i, 0): 1}, {("spring", i): 1}
-            pressed, rubbed, slip, spring = (fraction(at.of(x)) for x in terms)
+            pressed, rubbed, slip, spring = map(at.fraction, terms)
             least, most = question.coefficients(i)
             opposed = -rubbed if slip > 0 else rubbed
             missed = max(Fraction(0), least * pressed - opposed) if slip else Fraction(0)

@@ -19,7 +19,6 @@ import numpy.typing as npt
 
 from arrangement.numbers.exact import RationalVector, over_unit, primitive
 from arrangement.numbers.float_filter import Floats
-from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Leaf
 
@@ -98,7 +97,7 @@ _MAX_WORD = 2**62
 
 
 class IntegerContacts:
-    """The numbers of the contacts of a grasp.
+    """The numbers of the contacts of a grasp in the plane, in integers.
 
     Attributes:
         spring: (m, 4), the row ``(preload, -stiffness N)`` times `spring_unit`.
@@ -107,24 +106,24 @@ class IntegerContacts:
         max_displacement: how far contact points may move for an equilibrium to count, if bounded.
     """
 
-    def __init__(self, grasp: Grasp, max_displacement: Fraction | None = None) -> None:
-        self.grasp, self.max_displacement = grasp, max_displacement
-        m = len(grasp)
+    def __init__(self, rows: ContactRows, max_displacement: Fraction | None = None) -> None:
+        self.rows, self.max_displacement = rows, max_displacement
+        m = len(rows)
         spring, wrenches = [], []
-        for c in grasp:
+        for c in rows:
             spring.append(over_unit(spring_row(c)))
-            wrenches.append(over_unit((*c.normal_wrench, *c.tangential_wrench)))
+            wrenches.append(over_unit((*c.normal_wrench, *c.tangential_wrenches[0])))
         self.spring = whole([row for row, _ in spring], (m, 4))
         self.spring_unit = whole([unit for _, unit in spring], (m,))
         both = whole([row for row, _ in wrenches], (m, 6))
-        friction = whole([c.friction.numerator for c in grasp], (m,))
-        unit = whole([c.friction.denominator for c in grasp], (m,))
+        friction = whole([c.friction.numerator for c in rows], (m,))
+        unit = whole([c.friction.denominator for c in rows], (m,))
         self.tangent = both[:, 3:]
         self.edges = cone_edges(both[:, :3] * unit[:, None], both[:, None, 3:], friction)
         self.edge_unit = unit * whole([unit for _, unit in wrenches], (m,))
 
     def __len__(self) -> int:
-        return len(self.grasp)
+        return len(self.rows)
 
     @cached_property
     def common_unit(self) -> int:
@@ -147,8 +146,8 @@ class IntegerContacts:
             return whole([], (0, 4)), []
         rows = [
             (self.max_displacement, *(-sign * x for x in wrench))
-            for c in self.grasp
-            for wrench in (c.normal_wrench, c.tangential_wrench)
+            for c in self.rows
+            for wrench in (c.normal_wrench, *c.tangential_wrenches)
             for sign in (1, -1)
         ]
         primitives = [primitive(row) for row in rows]
@@ -171,7 +170,7 @@ class IntegerContacts:
     @cached_property
     def floats(self) -> FloatContacts:
         """The same in floating point."""
-        return FloatContacts(ContactRows.of_grasp(self.grasp))
+        return FloatContacts(self.rows)
 
 
 def whole(values: Sequence[Any], shape: tuple[int, ...]) -> Whole:

@@ -105,7 +105,7 @@ class PlanarEngine(Engine):
         bound = units.displacement(self.max_displacement)
         scaled = self._scaled.get(bound)
         if scaled is None:
-            scaled = IntegerContacts(units.grasp(self.grasp), bound)
+            scaled = IntegerContacts(units.rows(self.grasp), bound)
             self._scaled = {bound: scaled}
         try:
             outcome: Solution | Tree = resistance(scaled, units.wrench(total), effort, shorten)

@@ -42,14 +42,12 @@ class ContactRows:
         points: of the contacts, for the typical size of a motion.
         turns: for each of the n numbers of a motion, whether it is a turn.
         tangents: how many each contact has: 1 or 2.
-        grasp: that they are of; None of an assembly.
     """
 
     contacts: tuple[ContactRow, ...]
     points: tuple[RationalVector, ...]
     turns: tuple[bool, ...]
     tangents: int
-    grasp: Grasp | None = None
 
     @classmethod
     def of_grasp(cls, grasp: Grasp) -> ContactRows:
@@ -59,7 +57,7 @@ class ContactRows:
             for c in grasp
         )
         points = tuple(c.point for c in grasp)
-        return cls(rows, points, TURNS[grasp.dimension], grasp.dimension - 1, grasp)
+        return cls(rows, points, TURNS[grasp.dimension], grasp.dimension - 1)
 
     @property
     def n(self) -> int:

@@ -45,7 +45,7 @@ def decide_in_plane(
     if max_displacement is not None and not along_tangents(grasp, axes):
         return None
     units = SearchUnits.of(flat, load)
-    scaled = IntegerContacts(units.grasp(flat), units.displacement(max_displacement))
+    scaled = IntegerContacts(units.rows(flat), units.displacement(max_displacement))
     outcome = resistance(scaled, units.wrench(load), effort)
     if not isinstance(outcome, Solution):
         return {

@@ -371,7 +371,8 @@ class _Search:
             return None if isinstance(tree, dict) and "part" in tree else tree
         question: Any = self.family.at(value)
         grasp, wrench = question
-        contacts, load = IntegerContacts(grasp), grasp.total_load(wrench)
+        rows = ContactRows.of_grasp(grasp)
+        contacts, load = IntegerContacts(rows), rows.total_load(wrench)
         try:
             return StateSplits(contacts, load, HALF_SPACE, _MOST_PROGRAMS).decide()
         except TooManyParts:

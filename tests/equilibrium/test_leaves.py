@@ -39,7 +39,9 @@ def answers(
     """Return what the exact test says, after a comparison with the naive one."""
     wrench = tuple(asked.wrench)
     table = np.array(factors, dtype=float)
-    tested = closed(IntegerContacts(asked.grasp), wrench, regions, motions, table)
+    tested = closed(
+        IntegerContacts(ContactRows.of_grasp(asked.grasp)), wrench, regions, motions, table
+    )
     found = [multiplier is not None for multiplier in tested]
     for generators, motion, row, answer in zip(regions, motions, factors, found, strict=True):
         rows = [[Fraction(x) for x in g] for g in generators]

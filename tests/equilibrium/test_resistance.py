@@ -67,7 +67,7 @@ def assert_true(grasp: Grasp, wrench: Wrench, found: Any) -> bool:
 @pytest.mark.parametrize("seed", range(0, 80, 8))
 def test_regions_alone_and_states_alone_give_the_same_answer(seed):
     asked = question(seed)
-    contacts, wrench = IntegerContacts(asked.grasp), tuple(asked.wrench)
+    contacts, wrench = IntegerContacts(ContactRows.of_grasp(asked.grasp)), tuple(asked.wrench)
     answers = [
         assert_true(asked.grasp, wrench, MotionRegions(contacts, wrench).search()),
         assert_true(asked.grasp, wrench, StateSplits(contacts, wrench, HALF_SPACE, 10**4).decide()),
@@ -93,7 +93,7 @@ def test_continuation_finds_nearly_all_equilibria():
     found = 0
     for seed in range(30):
         grasp, wrench = random_grasp(12, seed), random_wrench(seed)
-        equilibrium = find_equilibrium(IntegerContacts(grasp), wrench)
+        equilibrium = find_equilibrium(IntegerContacts(ContactRows.of_grasp(grasp)), wrench)
         if equilibrium is not None:
             assert oracle.satisfies(grasp, wrench, equilibrium.motion, equilibrium.forces)
             found += 1
@@ -102,7 +102,9 @@ def test_continuation_finds_nearly_all_equilibria():
 
 def test_more_contacts_stick_than_the_balance_needs():
     grasp = random_grasp(60, seed=1)
-    equilibrium = find_equilibrium(IntegerContacts(grasp), (Fraction(1, 10),) * 3)
+    equilibrium = find_equilibrium(
+        IntegerContacts(ContactRows.of_grasp(grasp)), (Fraction(1, 10),) * 3
+    )
     assert equilibrium is not None
     assert not any(equilibrium.motion)
     assert oracle.satisfies(grasp, (Fraction(1, 10),) * 3, equilibrium.motion, equilibrium.forces)
@@ -223,7 +225,7 @@ def hard() -> tuple[Grasp, Wrench]:
 
 def equilibrium_near(grasp, wrench, guess):
     question = LinearQuestion(ContactRows.of_grasp(grasp), tuple(map(Fraction, wrench)))
-    return exact_equilibrium(IntegerContacts(grasp), question, guess)
+    return exact_equilibrium(IntegerContacts(ContactRows.of_grasp(grasp)), question, guess)
 
 
 @pytest.mark.parametrize("axis", range(3))
@@ -247,7 +249,7 @@ def test_what_the_balance_leaves_open_of_a_force_is_none():
 
 def test_a_contact_that_pushes_all_over_a_region_needs_no_state():
     """The spring lifts with 1 or more where y <= 0, and the load takes 1/2 of it."""
-    contacts = IntegerContacts(Grasp([Contact((0, 0), (0, 1), 0, 1, 1)]))
+    contacts = IntegerContacts(ContactRows.of_grasp(Grasp([Contact((0, 0), (0, 1), 0, 1, 1)])))
     wrench = (Fraction(0), Fraction(-1, 2), Fraction(0))
     region = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, -1, 0), (0, 0, 0, 1)]
     leaf = StateSplits(contacts, wrench, region, 1).decide()
@@ -262,7 +264,9 @@ def test_a_contact_that_pushes_all_over_a_region_needs_no_state():
 
 def test_many_contacts_with_huge_numbers_are_refused():
     grasp = random_grasp(90, 0).with_preload(10**300)
-    regions = MotionRegions(IntegerContacts(grasp), (Fraction(10**300), Fraction(0), Fraction(0)))
+    regions = MotionRegions(
+        IntegerContacts(ContactRows.of_grasp(grasp)), (Fraction(10**300), Fraction(0), Fraction(0))
+    )
     with pytest.raises(OutOfReachError, match="exact programs for 90 contacts"):
         regions.search()
 
@@ -306,7 +310,7 @@ def in_one_point(wrench):
     ]
     grasp, load = Grasp(contacts), tuple(map(Fraction, wrench))
     units = SearchUnits.of(grasp, load)
-    return IntegerContacts(units.grasp(grasp)), units.wrench(load)
+    return IntegerContacts(units.rows(grasp)), units.wrench(load)
 
 
 def test_contacts_that_press_bear_what_floats_leave_open():

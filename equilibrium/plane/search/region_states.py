@@ -54,7 +54,7 @@ class StateSplits:
         signs = (slips > 0).all(axis=0).astype(int) - (slips < 0).all(axis=0).astype(int)
         bounds = product(matrix, contacts.bounds[0].T)
         apart, touching = np.all(springs <= 0, axis=0), np.all(springs >= 0, axis=0)
-        rubs = (signs == 0) & np.array([c.friction > 0 for c in contacts.grasp], dtype=bool)
+        rubs = (signs == 0) & np.array([c.friction > 0 for c in contacts.rows], dtype=bool)
         decided = apart | (touching & ~rubs)
         # Some motions of the region are too large.
         decided[np.flatnonzero((bounds < 0).any(axis=0)) // 4] = False
@@ -75,7 +75,7 @@ class StateSplits:
         arms = np.where(signs[:, None] > 0, *contacts.edges) * contacts.shares[:, None]
         given = product(arms[pressing].T, contacts.spring[pressing])
         given = given / Fraction(contacts.common_unit)
-        rows = contacts.floats.rows
+        rows = contacts.rows
         self._all = LinearQuestion(rows, wrench, signs=tuple(signs.tolist()))
         self.question = LinearQuestion(
             replace(rows, contacts=tuple(rows[i] for i in self.open)),
@@ -139,7 +139,7 @@ class StateSplits:
         for i, state in enumerate(self._known):
             if i not in forces:
                 law = self._all.conditions(i, state)
-                forces[i] = tuple(fraction(at.of(force)) for force in law.forces)
+                forces[i] = tuple(map(at.fraction, law.forces))
         return Solution(solution.motion, tuple(forces[i] for i in range(len(self._known))))
 
     def _leaf(self, program: ContactProgram) -> Leaf:

@@ -78,9 +78,7 @@ def find_equilibrium(
     """
     search = Continuation(contacts.floats, wrench, LineCones())
     path = search.path(np.zeros(3)) if start is None else search.path(start, SHARPNESS_NEAR)
-    question = LinearQuestion(
-        contacts.floats.rows, wrench, max_displacement=contacts.max_displacement
-    )
+    question = LinearQuestion(contacts.rows, wrench, max_displacement=contacts.max_displacement)
     tried: set[Guess] = set()
     with np.errstate(all="ignore"):
         for motion, eps in path:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
@@ -21,6 +21,7 @@ from arrangement.numbers.exact import (
     without_denominators,
 )
 from equilibrium.model.grasp import Grasp
+from equilibrium.model.rows import TURNS, ContactRow, ContactRows
 from equilibrium.model.solution import Leaf, Solution
 
 from .motion_regions import HALF_SPACE, ORTHANTS
@@ -59,19 +60,26 @@ class SearchUnits:
         force = unit_of(loads if any(loads) else (x, y, torque / length))
         return cls(length, force, force / unit_of(c.stiffness for c in grasp))
 
-    def grasp(self, grasp: Grasp) -> Grasp:
-        """Return a grasp in these units."""
-        return Grasp(
-            replace(
-                c,
-                point=tuple(x / self.length for x in c.point),
-                stiffness=c.stiffness * self.step / self.force,
-                preload=c.preload / self.force,
-                # Its wrench is a part of the load.
-                adhesion=Fraction(0),
+    def rows(self, grasp: Grasp) -> ContactRows:
+        """Return the contacts of a grasp in these units, without adhesion: the load has that."""
+
+        def scaled(wrench: RationalVector) -> RationalVector:
+            x, y, torque = wrench
+            return x, y, torque / self.length
+
+        contacts = tuple(
+            ContactRow(
+                scaled(c.normal_wrench),
+                (scaled(c.tangential_wrench),),
+                c.friction,
+                c.stiffness * self.step / self.force,
+                c.preload / self.force,
+                Fraction(0),
             )
             for c in grasp
         )
+        points = tuple(tuple(x / self.length for x in c.point) for c in grasp)
+        return ContactRows(contacts, points, TURNS[2], 1)
 
     def wrench(self, wrench: RationalVector) -> RationalVector:
         """Return a wrench in these units."""
