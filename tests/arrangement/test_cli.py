@@ -11,18 +11,9 @@ from typing import Any
 import pytest
 
 from arrangement import Arrangement, read_arrangement
-from arrangement.cli import main
 from arrangement.counts import essentialization
 from arrangement.errors import InputError
 from arrangement.library.files import json_files
-
-Capture = pytest.CaptureFixture[str]
-
-
-def call(capsys: Capture, *arguments: str) -> tuple[int, str, str]:
-    code = main(arguments)
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
 
 
 def command(*arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
@@ -36,9 +27,9 @@ def command(*arguments: str, **options: Any) -> subprocess.CompletedProcess[str]
     )
 
 
-def test_count_in_json(capsys):
-    code, out, err = call(capsys, "count", "coincident-planes", "--json")
-    assert (code, err) == (0, "")
+def test_count_in_json(run):
+    out = run("count coincident-planes --json")
+    assert run.err == ""
     assert json.loads(out) == {
         "planes": 4,
         "distinct_planes": 2,
@@ -54,10 +45,8 @@ def test_count_in_json(capsys):
     assert out.count("\n") == 1
 
 
-def test_faces_in_json_are_one_object_a_line(capsys):
-    code, out, _ = call(capsys, "faces", "shi-a2-affine", "--json")
-    faces = [json.loads(line) for line in out.splitlines()]
-    assert code == 0
+def test_faces_in_json_are_one_object_a_line(run):
+    faces = [json.loads(line) for line in run("faces shi-a2-affine --json").splitlines()]
     assert len(faces) == 6 + 21 + 16
     planes = Arrangement(
         [[1, 0], [1, 0], [0, 1], [0, 1], [1, 1], [1, 1]], offsets=[0, 1, 0, 1, 0, 1]
@@ -68,12 +57,10 @@ def test_faces_in_json_are_one_object_a_line(capsys):
         assert list(planes.signs_at(face["witness"])) == face["signs"]
 
 
-def test_faces_of_one_dimension(capsys):
-    code, out, _ = call(capsys, "faces", "three-generic-planes", "--dimension", "1", "--json")
-    assert code == 0
+def test_faces_of_one_dimension(run):
+    out = run("faces three-generic-planes --dimension 1 --json")
     assert [json.loads(line)["dimension"] for line in out.splitlines()] == [1] * 6
-    code, out, _ = call(capsys, "faces", "three-generic-planes", "--dimension", "3")
-    assert code == 0
+    out = run("faces three-generic-planes --dimension 3")
     assert sorted(line.split()[0] for line in out.splitlines()) == sorted(
         a + b + c for a in "+-" for b in "+-" for c in "+-"
     )
@@ -117,7 +104,7 @@ def test_a_full_disk_is_said_without_traceback():
     assert "Traceback" not in done.stderr
 
 
-def test_faces_appear_while_they_are_written(monkeypatch):
+def test_faces_appear_while_they_are_written(monkeypatch, run):
     """Lines go out one by one, not as one block at the end."""
     writes: list[str] = []
 
@@ -127,21 +114,20 @@ def test_faces_appear_while_they_are_written(monkeypatch):
             return len(text)
 
     monkeypatch.setattr(sys, "stdout", Recorder())
-    assert main(["faces", "three-generic-planes", "--json"]) == 0
+    run("faces three-generic-planes --json")
     assert sum(text.startswith("{") for text in writes) == 27
 
 
-def test_what_takes_too_long_is_left_out_with_its_reason(capsys, tmp_path):
-    path = str(tmp_path / "e8.json")
-    call(capsys, "make", "coxeter", "--type", "E8", "-o", path)
-    code, out, _ = call(capsys, "count", path, "--json")
-    counted = json.loads(out)
-    assert (code, counted["regions"], counted["f_vector"]) == (0, 696729600, None)
+def test_what_takes_too_long_is_left_out_with_its_reason(run, tmp_path):
+    run("make coxeter --type E8 -o", tmp_path / "e8.json")
+    counted = run.json("count", tmp_path / "e8.json")
+    assert (counted["regions"], counted["f_vector"]) == (696729600, None)
     assert counted["engine"].endswith("696,729,600 regions; --limit 42 allows it")
 
 
-def test_a_guess_of_the_field_is_answered(capsys):
-    for words, answer in (
+@pytest.mark.parametrize(
+    ("words", "answer"),
+    [
         ("chambers", "write 'arrangement count FILE'"),
         ("plot", "write 'arrangement draw FILE"),
         ("figure", "write 'arrangement draw FILE -o FIGURE.svg'"),
@@ -154,80 +140,66 @@ def test_a_guess_of_the_field_is_answered(capsys):
         ("draw pencil -o p.svg --format tikz", ".pdf, .png, .tex for TikZ'"),
         ("draw pencil -o p.svg --chords", "write 'arrangement make diagonals --n 6 -o FILE.json'"),
         ("draw pencil -o p.svg --no-axes", "write '--axes none'"),
-    ):
-        with pytest.raises(SystemExit):
-            main(words.split())
-        assert answer in capsys.readouterr().err
-    assert main(["count", "A3"]) == 2
-    assert "did you mean the built-in braid-a3" in capsys.readouterr().err
+        ("count A3", "did you mean the built-in braid-a3"),
+    ],
+)
+def test_a_guess_of_the_field_is_answered(words, answer, refused):
+    assert answer in refused(words)
+
+
+def test_a_name_that_is_none_is_answered(refused):
     for name, answer in (
         ("braid:3", "braid-a3? Or write arrangement make braid --n 4 -o FILE.json and"),
         ("regular polygon 7", "; write arrangement make polygon --corners 6 -o FILE.json and"),
     ):
-        with pytest.raises(InputError) as refused:
+        with pytest.raises(InputError) as error:
             read_arrangement(name)
-        assert answer in str(refused.value)
-    assert main(["count", "polygon.json"]) == 2
-    assert "write" not in capsys.readouterr().err
+        assert answer in str(error.value)
+    assert "write" not in refused("count polygon.json")
 
 
 @pytest.mark.parametrize("command", json_files.MADE.values())
-def test_commands_that_make_what_has_no_name_work(command, capsys, tmp_path):
+def test_commands_that_make_what_has_no_name_work(command, tmp_path):
     program, *words = command.split()
-    run = import_module(
-        "equilibrium.cli.program" if program == "equilibrium" else "arrangement.cli"
-    )
-    assert run.main([*words, "-o", str(tmp_path / "made.json")]) == 0
+    assert import_module(f"{program}.cli").main([*words, "-o", str(tmp_path / "made.json")]) == 0
     assert (tmp_path / "made.json").is_file()
 
 
-def test_regions_bounded_in_the_span_of_the_normals_are_counted(capsys, tmp_path):
-    path = str(tmp_path / "linial.json")
-    call(capsys, "make", "linial", "--type", "4", "-o", path)
+def test_regions_bounded_in_the_span_of_the_normals_are_counted(run, tmp_path):
+    path = tmp_path / "linial.json"
+    run("make linial --type 4 -o", path)
     bounded = len(essentialization(read_arrangement(path)).bounded_regions())
-    code, out, _ = call(capsys, "count", path, "--json")
-    assert (code, *list(json.loads(out).values())[-3:]) == (0, 36, 0, bounded)
+    assert list(run.json("count", path).values())[-3:] == [36, 0, bounded]
     assert (
         "bounded regions     0 (every region contains a line, as the normals span 3 of 4 "
         f"dimensions)\nrelatively bounded  {bounded} (in the span of the normals)\n"
-        in call(capsys, "count", path)[1]
+        in run("count", path)
     )
 
 
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["--verified"], "give --classes M"),
-        (["--families", "--verified"], "give --classes M"),
-        (["--families", "--classes", "4"], "give one"),
-        (["braid-a3", "--classes", "4"], "give one"),
+        ("--verified", "give --classes M"),
+        ("--families --verified", "give --classes M"),
+        ("--families --classes 4", "give one"),
+        ("braid-a3 --classes 4", "give one"),
     ],
 )
-def test_list_refuses_what_does_not_go_together(words, message, capsys):
-    code, out, error = call(capsys, "list", *words)
-    assert (code, out) == (2, "")
-    assert message in error
+def test_list_refuses_what_does_not_go_together(words, message, refused):
+    assert message in refused(f"list {words}")
 
 
-def test_members_of_all_families_can_be_made_and_read(capsys):
-    _, out, _ = call(capsys, "list", "--families", "--json")
-    described = {entry["name"]: entry["description"] for entry in json.loads(out)["names"]}
-    values = {
-        "n": "4",
-        "m": "4",
-        "d": "3",
-        "corners": "5",
-        "type": "B3",
-        "planes": "9",
-        "number": "1",
-    }
+def test_members_of_all_families_can_be_made_and_read(run):
+    listed = run.json("list --families")["names"]
+    described = {entry["name"]: entry["description"] for entry in listed}
+    values = {"n": 4, "m": 4, "d": 3, "corners": 5, "type": "B3", "planes": 9, "number": 1}
     values |= {"graph": "1-2,2-3", "polytope": "demicube", "points": "0,0;1,0;0,2"}
     for name, text in described.items():
         usage = text.split(":")[0].replace("[", "").replace("]", "").split()
         options = [word for word in usage if word.startswith("--")]
         given = [word for o in options if o[2:] in values for word in (o, values[o[2:]])]
-        code, out, err = call(capsys, "make", name, *given)
-        assert (code, err) == (0, "")
-        planes = read_arrangement(json.loads(out))
-        assert len(planes) > 0
-        assert json.loads(out)["description"].startswith(name)
+        document = json.loads(run("make", name, *given))
+        assert run.err == ""
+        assert len(read_arrangement(document)) > 0
+        assert document["description"].startswith(name)

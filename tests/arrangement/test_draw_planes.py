@@ -18,7 +18,6 @@ import trimesh
 from hypothesis import given, strategies as st
 
 from arrangement import Arrangement, ArrangementError, read_arrangement
-from arrangement.cli import main
 from arrangement.counts import f_vector, region_count
 from arrangement.drawing.scene import Path
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
@@ -216,12 +215,11 @@ def test_coincident_planes_share_a_number_place():
     assert sorted(text.get_text() for text in axes.texts) == ["1,2", "3,4"]
 
 
-def test_the_command_takes_signs_that_begin_with_a_minus(tmp_path, capsys):
+def test_the_command_takes_signs_that_begin_with_a_minus(tmp_path, run):
     target = tmp_path / "a.svg"
     arguments = ["draw", "coordinate-planes", "-o", str(target), "--view", "planes"]
     more = ["--lift=-+-", "--lift=---", "--body", "cube", "--camera", "-1/2", "3", "0.7"]
-    assert main([*arguments, *more, "--width", "120", "--json"]) == 0
-    assert '"view": "planes"' in capsys.readouterr().out
+    assert '"view": "planes"' in run(*arguments, *more, "--width", "120", "--json")
     assert b"cell--+-" in target.read_bytes()
     assert b"cell----" in target.read_bytes()
 
@@ -588,10 +586,10 @@ def test_parts_move_outward_by_the_stated_factor(tmp_path):
 
 
 @pytest.mark.parametrize("model", ["cells", "dual"])
-def test_stl_and_obj_say_that_they_are_in_millimetres(model, tmp_path):
+def test_stl_and_obj_say_that_they_are_in_millimetres(model, tmp_path, run):
     for suffix in (".stl", ".obj"):
         path = tmp_path / f"a{suffix}"
-        assert main(["draw", "braid-a3", "-o", str(path), "--model", model, "--size", "25.5"]) == 0
+        run("draw braid-a3 -o {} --model {} --size 25.5", path, model)
         assert b"unit: millimetre" in path.read_bytes()[:80]
     header = (tmp_path / "a.stl").read_bytes()[:80]
     assert not header.startswith(b"solid")

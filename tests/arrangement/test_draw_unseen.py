@@ -5,7 +5,6 @@ import json
 import pytest
 
 from arrangement import Arrangement
-from arrangement.cli import main
 
 pytest.importorskip("matplotlib")
 
@@ -59,15 +58,13 @@ def test_far_lines_have_no_note():
     assert PLANES.draw("sphere").scene.legend.notes == []
 
 
-def test_command_notes_on_stderr_and_in_json(tmp_path, capsys):
+def test_command_notes_on_stderr_and_in_json(tmp_path, run):
     path, picture = tmp_path / "two.txt", str(tmp_path / "two.svg")
     path.write_text("1 1 | 1\n1 1 | 1000001/1000000\n1 0 | 0\n0 1 | 0\n", encoding="utf-8")
-    assert main(["draw", str(path), "-o", picture, "--json"]) == 0
-    out, err = capsys.readouterr()
+    out, err = run("draw {} -o {} --json", path, picture), run.err
     notes = json.loads(out)["notes"]
     assert err.splitlines() == notes
     assert notes[0].startswith("lines 1,2: nearer than a line's width")
-    assert main(["draw", "braid-a3", "-o", picture, "--json"]) == 0
-    out, err = capsys.readouterr()
+    out, err = run("draw braid-a3 -o {} --json", picture), run.err
     assert "notes" not in json.loads(out)
     assert err == ""

@@ -19,7 +19,6 @@ from arrangement import (
     read_arrangement,
     read_segments,
 )
-from arrangement.cli import main
 from arrangement.library.census import identify
 from arrangement.library.files.table import FORMATS, Entries, read_polygon, text_in_format
 from arrangement.planes.equation_text import is_equation
@@ -380,39 +379,33 @@ def test_graphs_have_the_numbers_of_the_arrangement():
     assert flats.count("->") == 4 + 2 * 6
 
 
-def test_convert_goes_by_endings_and_says_what_is_lost(tmp_path, capsys):
+def test_convert_goes_by_endings_and_says_what_is_lost(tmp_path, run):
     for ending in (".hyar", ".mrdi", ".sage", ".m2", ".txt", ".json"):
         path = str(tmp_path / f"planes{ending}")
-        assert main(["convert", "braid-a3", "-o", path]) == 0
+        run("convert braid-a3 -o", path)
         assert read_arrangement(path) == read_arrangement("braid-a3")
-    capsys.readouterr()
-    assert main(["convert", "braid-a3", "--to", "chirotope"]) == 0
-    out, err = capsys.readouterr()
+    out, err = run("convert braid-a3 --to chirotope"), run.err
     assert out == read_arrangement("braid-a3").chirotope_string() + "\n"
     assert "no coordinates" in err
-    assert main(["convert", "braid-a3", "--to", "chirotope", "--json"]) == 0
-    assert json.loads(capsys.readouterr()[0])["text"] == out
-    assert main(["convert", "braid-a3", "-o", str(tmp_path / "x.sage"), "--json"]) == 0
-    assert json.loads(capsys.readouterr()[0])["lost"] == "Sage sorts the planes"
-    assert main(["convert", "paper-three-contacts", "--to", "matrix"]) == 0
-    assert "lost in matrix: contacts of the file" in capsys.readouterr()[1]
+    assert run.json("convert braid-a3 --to chirotope")["text"] == out
+    assert run.json("convert braid-a3 -o", tmp_path / "x.sage")["lost"] == "Sage sorts the planes"
+    run("convert paper-three-contacts --to matrix")
+    assert "lost in matrix: contacts of the file" in run.err
 
 
-def test_a_file_of_several_is_listed_and_one_converted(tmp_path, capsys):
+def test_a_file_of_several_is_listed_and_one_converted(tmp_path, run):
     path = tmp_path / "lines"
     other = Arrangement([[1, 0], [0, 1], [1, 1], [2, -1]], [0, 0, 1, 1])
     path.write_text(
         lines_of_christ(AFFINE, [1] * 4) + lines_of_christ(other, [1] * 4), encoding="utf-8"
     )
-    assert main(["list", str(path), "--from", "christ", "--json"]) == 0
-    rows = [json.loads(line) for line in capsys.readouterr()[0].splitlines()]
+    rows = [json.loads(line) for line in run("list {} --from christ --json", path).splitlines()]
     assert [row["number"] for row in rows] == [1, 2]
     assert rows[0]["type"].startswith(f"5.{identify(counts.cone(AFFINE)).type} with line ")
     taken = str(tmp_path / "two.json")
-    assert main(["convert", str(path), "--from", "christ", "--number", "2", "-o", taken]) == 0
+    run("convert {} --from christ --number 2 -o", path, taken)
     assert read_arrangement(taken) == other
-    assert main(["convert", str(path), "--from", "christ", "--number", "2", "--to", "matrix"]) == 0
-    assert capsys.readouterr()[0].splitlines()[0] == "1 0 | 0"
+    assert run("convert {} --from christ --number 2 --to matrix", path).splitlines()[0] == "1 0 | 0"
 
 
 @pytest.mark.parametrize(
@@ -492,10 +485,9 @@ def test_lines_of_equations_are_recognized():
 @pytest.mark.parametrize(
     "text", ["x = 0; x + y = 1", "x=0, x+y=1", "x = 0\nx + y = 1", "x, x + y - 1", "x; x+y-1"]
 )
-def test_equations_stand_in_place_of_a_path(text, capsys):
+def test_equations_stand_in_place_of_a_path(text, run):
     assert read_arrangement(text) == Arrangement([[1, 0], [1, 1]], [0, 1])
-    assert main(["count", text]) == 0
-    assert "planes           2\n" in capsys.readouterr().out
+    assert "planes           2\n" in run("count", text)
 
 
 @pytest.mark.parametrize("text", ["[[1, 0], [1, 1]]", "((1,0),(1,1))", "[(2, 0), (1/2, 1/2)]"])
@@ -522,10 +514,8 @@ def test_file_named_as_an_equation_is_read(tmp_path, monkeypatch):
         read_arrangement("n=3.json")
 
 
-def test_equations_in_several_arguments_are_to_be_one(capsys):
-    with pytest.raises(SystemExit):
-        main(["count", "x = 0", "y = 0"])
-    assert "one argument: 'x = 0; y = 0'" in capsys.readouterr().err
+def test_equations_in_several_arguments_are_to_be_one(refused):
+    assert "one argument: 'x = 0; y = 0'" in refused("count", "x = 0", "y = 0")
 
 
 def test_texts_as_normals_are_referred_to_equations():

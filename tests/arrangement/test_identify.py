@@ -11,8 +11,7 @@ import pytest
 import sympy
 from hypothesis import given, strategies as st
 
-from arrangement import Arrangement, InputError, cli, families
-from arrangement.cli import main
+from arrangement import Arrangement, InputError, families
 from arrangement.library.census import (
     PUBLISHED,
     catalogue,
@@ -211,7 +210,7 @@ def test_number_of_affine_lines_is_checked():
         catalogue.line_count(9)
 
 
-def test_affine_lines_are_identified_by_cone_and_infinity(capsys):
+def test_affine_lines_are_identified_by_cone_and_infinity(run):
     square = Arrangement([[1, 0], [1, 0], [0, 1], [0, 1], [0, 2]], [0, 1, 0, 1, 2])
     found = identify(square)
     assert (found.planes, found.rank, found.t_vector) == (4, 2, {2: 4})
@@ -223,8 +222,7 @@ def test_affine_lines_are_identified_by_cone_and_infinity(capsys):
     assert found.label.endswith("at infinity")
     parallel = identify(Arrangement([[1, 0]] * 3, [1, 2, 3]))
     assert (parallel.label, parallel.automorphisms) == ("3 parallel", None)
-    assert cli.main(["identify", "shi-a2-affine"]) == 0
-    assert "at infinity" in capsys.readouterr().out
+    assert "at infinity" in run("identify shi-a2-affine")
     high = identify(Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], [0, 0, 0, 1]))
     assert (high.label, high.infinity, high.is_simple, high.rank) == ("", None, True, 3)
 
@@ -401,17 +399,14 @@ def test_four_triple_points_have_printed_representative():
     assert (found.finschi_fukuda, found.chirotope) == (13, "0++++++0+++++++0+0--")
 
 
-def test_the_command_prints_the_type(capsys, tmp_path):
-    assert cli.main(["identify", "braid-a3", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+def test_the_command_prints_the_type(run, tmp_path):
+    found = run.json("identify braid-a3")
     assert (found["type"], found["automorphisms"], found["f_vector"]) == (3, 24, [1, 14, 36, 24])
     ten = tmp_path / "ten.json"
     ten.write_text(json.dumps(families.generic(10).to_dict()))
-    assert cli.main(["identify", str(ten)]) == 0
-    assert "not in the catalogue" in capsys.readouterr().out
+    assert "not in the catalogue" in run("identify", ten)
 
 
-def test_identify_says_simple_and_simplicial_each_in_a_row(capsys):
-    assert main(["identify", "braid-a3"]) == 0
-    rows = dict(line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines())
+def test_identify_says_simple_and_simplicial_each_in_a_row(run):
+    rows = dict(line.split(maxsplit=1) for line in run("identify braid-a3").splitlines())
     assert (rows["simple"], rows["simplicial"]) == ("no", "yes")

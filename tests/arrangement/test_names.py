@@ -7,7 +7,6 @@ import pickle
 import pytest
 
 from arrangement import Arrangement, InputError, counts, read_arrangement
-from arrangement.cli import main
 from arrangement.pictures import draw_cells, draw_lattice, draw_lines, draw_planes, draw_sphere
 from arrangement.pictures.lab.arrangement_page import arrangement_page
 from arrangement.pictures.looks import DASHES, Look, read_looks, read_names
@@ -42,11 +41,11 @@ class TestValues:
         assert read_arrangement(document).names == LINES.names
         assert "names" not in LINES.named([]).to_dict()
 
-    def test_conversion_keeps_names_or_reports_that_they_are_lost(self, tmp_path, capsys):
+    def test_conversion_keeps_names_or_reports_that_they_are_lost(self, tmp_path, run):
         LINES.save(tmp_path / "lines.json")
         for form, lost in (("json", ""), ("sage", "names of planes")):
-            assert main(["convert", str(tmp_path / "lines.json"), "--to", form, "--json"]) == 0
-            assert json.loads(capsys.readouterr().out)["lost"].partition(";")[0] == lost
+            document = run.json("convert {} --to", tmp_path / "lines.json", form)
+            assert document["lost"].partition(";")[0] == lost
 
     @pytest.mark.parametrize(
         "names",
@@ -170,29 +169,28 @@ class TestPictures:
 
 class TestCommand:
     @pytest.mark.parametrize("ending", ["svg", "pdf", "tex", "html"])
-    def test_each_kind_of_file_takes_names_and_colours(self, tmp_path, ending):
+    def test_each_kind_of_file_takes_names_and_colours(self, tmp_path, ending, run):
         path = tmp_path / f"x.{ending}"
         options = ["--names", "1=ell", "--colours", "ell=#123456"]
-        assert main(["draw", "braid-a3", "-o", str(path), *options]) == 0
+        run("draw braid-a3 -o", path, *options)
         text = path.read_bytes()
         if ending in ("svg", "html"):
             assert b"#123456" in text
         if ending in ("tex", "html"):
             assert b"ell" in text
 
-    def test_names_of_views_that_have_no_colours(self, tmp_path, capsys):
+    def test_names_of_views_that_have_no_colours(self, tmp_path, run, refused):
         path = str(tmp_path / "x.svg")
         for view in ("lattice", "poset"):
             command = ["draw", "braid-a3", "--view", view, "-o", path, "--names", "1=ell"]
-            assert main(command) == 0
-        assert main([*command[:-2], "--colours", "1=red"]) == 2
-        assert "no option" in capsys.readouterr().err
+            run(*command)
+        assert "no option" in refused(*command[:-2], "--colours", "1=red")
 
-    def test_names_of_a_file_are_drawn(self, tmp_path):
+    def test_names_of_a_file_are_drawn(self, tmp_path, run):
         LINES.save(tmp_path / "lines.json")
         path = tmp_path / "x.tex"
         view = ["--view", "lines", "--colours", "n=:dashed"]
-        assert main(["draw", str(tmp_path / "lines.json"), "-o", str(path), *view]) == 0
+        run("draw {} -o", tmp_path / "lines.json", path, *view)
         assert "ell" in path.read_text()
 
     def test_page_has_names_and_colours(self):

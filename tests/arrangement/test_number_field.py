@@ -22,7 +22,6 @@ from arrangement import (
     counts,
     read_arrangement,
 )
-from arrangement.cli import main
 from arrangement.errors import OutOfTimeError
 from arrangement.library import families
 from arrangement.numbers import budget, deadline, fields
@@ -301,11 +300,10 @@ def test_regions_over_a_field_can_be_asked():
     assert triangle.volume == g / 2
 
 
-def test_the_command_names_the_field(tmp_path, capsys):
+def test_the_command_names_the_field(tmp_path, run):
     path = tmp_path / "h3.json"
-    assert main(["make", "h3", "-o", str(path)]) == 0
-    assert main(["count", str(path)]) == 0
-    assert "a^2 - 5 = 0" in capsys.readouterr().out
+    run("make h3 -o", path)
+    assert "a^2 - 5 = 0" in run("count", path)
 
 
 @pytest.mark.slow

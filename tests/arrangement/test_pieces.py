@@ -9,7 +9,6 @@ from hypothesis import assume, given, settings, strategies as st
 from sympy import sqrt
 
 from arrangement import Arrangement, InputError, families, read_arrangement
-from arrangement.cli import main
 from arrangement.pictures.lines import draw_lines
 from arrangement.planes.polygon import convex_polygon
 
@@ -263,39 +262,36 @@ class TestFamilies:
 
 class TestCommand:
     @pytest.fixture
-    def files(self, tmp_path):
+    def files(self, tmp_path, run):
         lines, hexagon = tmp_path / "lines.json", tmp_path / "hexagon.json"
-        assert main(["make", "diagonals", "--n", "6", "-o", str(lines)]) == 0
-        assert main(["make", "polygon", "--corners", "6", "-o", str(hexagon)]) == 0
-        return str(lines), str(hexagon)
+        run("make diagonals --n 6 -o", lines)
+        run("make polygon --corners 6 -o", hexagon)
+        return lines, hexagon
 
-    def test_count_prints_inside_and_outside(self, files, capsys):
-        assert main(["count", files[0], "--inside", files[1]]) == 0
-        text = capsys.readouterr().out
+    def test_count_prints_inside_and_outside(self, files, run):
+        text = run("count {} --inside", *files)
         assert "inside: cells           24\n" in text
         assert "outside: bounded cells  0\n" in text
-        assert main(["count", files[0], "--inside", files[1], "--json"]) == 0
-        made = json.loads(capsys.readouterr().out)
+        made = run.json("count {} --inside", *files)
         assert made["inside"]["cells_by_edges"] == {"3": 18, "4": 6}
         assert made["boundary"]["edges"] == 6
 
-    def test_faces_prints_those_inside(self, files, capsys):
-        assert main(["faces", files[0], "--inside", files[1], "--dimension", "2"]) == 0
-        assert len(capsys.readouterr().out.splitlines()) == 24
+    def test_faces_prints_those_inside(self, files, run):
+        assert len(run("faces {} --inside {} --dimension 2", *files).splitlines()) == 24
 
-    def test_polygon_file_is_read_as_its_sides(self, tmp_path, capsys):
+    def test_polygon_file_is_read_as_its_sides(self, tmp_path, run):
         path = tmp_path / "square.json"
         document = {"schema_version": 1, "polygon": [["0", "0"], ["2", "0"], ["2", "2"], [0, 2]]}
         path.write_text(json.dumps(document))
         sides = read_arrangement(path)
         assert sides == convex_polygon(SQUARE)
         assert read_arrangement(sides.to_dict()) == sides
-        assert main(["convert", str(path), "--to", "json", "--json"]) == 0
-        assert json.loads(capsys.readouterr().out)["lost"] == ""
+        assert run.json("convert {} --to json", path)["lost"] == ""
         diagonals = {"schema_version": 1, "planes": [[1, 1], [1, -1]], "offsets": [2, 0]}
         (tmp_path / "lines.json").write_text(json.dumps(diagonals))
-        assert main(["count", str(tmp_path / "lines.json"), "--inside", str(path)]) == 0
-        assert "inside: cells           4\n" in capsys.readouterr().out
+        assert "inside: cells           4\n" in run(
+            "count {} --inside", tmp_path / "lines.json", path
+        )
 
     def test_polygon_file_has_numbers_of_a_field(self):
         root3 = {"minimal_polynomial": ["-3", "0", "1"], "interval": ["1", "2"]}
@@ -305,21 +301,16 @@ class TestCommand:
         assert sides == convex_polygon([(0, 0), (2, 0), (1, sqrt(3))])
         assert read_arrangement(sides.to_dict()) == sides
 
-    def test_unbounded_inside_is_named(self, files, capsys):
-        assert main(["count", files[0], "--inside", "x = 0"]) == 0
-        assert "inside                  unbounded" in capsys.readouterr().out
-        assert main(["count", files[0], "--inside", files[1]]) == 0
-        assert "unbounded" not in capsys.readouterr().out
+    def test_unbounded_inside_is_named(self, files, run):
+        assert "inside                  unbounded" in run("count {} --inside", files[0], "x = 0")
+        assert "unbounded" not in run("count {} --inside", *files)
 
-    def test_wrong_files_are_refused(self, files, capsys):
-        assert main(["count", files[0], "--inside", "braid-a3"]) == 2
-        with pytest.raises(SystemExit) as stopped:
-            main(["faces", files[0], "--inside", files[1], "--bounded"])
-        assert stopped.value.code == 2
+    def test_wrong_files_are_refused(self, files, refused):
+        refused("count {} --inside braid-a3", files[0])
+        refused("faces {} --inside {} --bounded", *files)
         for polygon in ([["0", "0"]], "0,0", [[0, 0], [1, 0], [2, 0]], [[0], [1], [2]]):
             with pytest.raises(InputError):
                 read_arrangement({"schema_version": 1, "polygon": polygon})
-        capsys.readouterr()
 
 
 class TestPicture:
@@ -356,17 +347,15 @@ class TestPicture:
         scene = draw_lines.scene(families.diagonals(6), inside=half, labels="none")
         assert sum(item.name.startswith("region-") for item in scene.items) == 18
 
-    def test_command_reads_the_polygon(self, tmp_path, capsys):
+    def test_command_reads_the_polygon(self, tmp_path, run, refused):
         polygon = tmp_path / "square.json"
         families.polygon(4).save(polygon)
         families.diagonals(4).save(tmp_path / "lines.json")
         path = tmp_path / "square.svg"
         command = ["draw", str(tmp_path / "lines.json"), "--view", "lines", "-o", str(path)]
-        assert main([*command, "--inside", str(polygon)]) == 0
+        run(*command, "--inside", polygon)
         assert 'id="outside-1"' in path.read_text()
-        with pytest.raises(SystemExit):
-            main([*command, "--inside", str(tmp_path / "none.json")])
-        assert "cannot read" in capsys.readouterr().err
+        assert "cannot read" in refused(*command, "--inside", tmp_path / "none.json")
 
     def test_irrational_lines_are_drawn(self):
         lines = families.diagonals(5)

@@ -14,7 +14,6 @@ from typing import Any
 import pytest
 
 from arrangement import Arrangement, InputError, OutOfReachError, counts
-from arrangement.cli import main
 from arrangement.counts.completeness import certify_complete
 from arrangement.library import census, families
 from arrangement.library.census import tables
@@ -225,14 +224,11 @@ def test_what_is_no_document_of_planes_is_malformed(tmp_path):
 
 
 @built
-def test_the_commands_name_the_speaker(capsys):
-    assert main(["count", "reflection-b3", "--verified"]) == 0
-    proved = capsys.readouterr().out
-    assert main(["count", "reflection-b3"]) == 0
-    listed = capsys.readouterr().out
+def test_the_commands_name_the_speaker(run):
+    proved = run("count reflection-b3 --verified")
+    listed = run("count reflection-b3")
     assert proved == f"{listed}counted by       the verified program\n"
-    assert main(["count", "reflection-b3", "--verified", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["first_whitney_numbers"] == [1, -9, 23, -15]
+    assert run.json("count reflection-b3 --verified")["first_whitney_numbers"] == [1, -9, 23, -15]
 
 
 @built
@@ -246,13 +242,12 @@ def test_a_list_is_certified_by_the_program():
 
 
 @built
-def test_types_are_counted_in_one_run(capsys, monkeypatch):
-    assert main(["list", "--classes", "6", "--verified", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["proved"] == {"types": 17, "alike": 17}
+def test_types_are_counted_in_one_run(run, monkeypatch):
+    assert run.json("list --classes 6 --verified")["proved"] == {"types": 17, "alike": 17}
     wrong = [(1, 26, 48, 24), *tables.proved_f_vectors(census.census(6)[1:])]
     monkeypatch.setattr(tables, "proved_f_vectors", lambda many: wrong)
     assert tables.compare_counts(6) == (17, 16)
-    assert main(["list", "--classes", "6", "--verified"]) == 1
+    run("list --classes 6 --verified", code=1)
 
 
 @built
@@ -282,11 +277,10 @@ def test_families_have_the_numbers_in_print():
     assert counted > beyond
 
 
-def test_without_the_program_one_line_says_what_to_do(tmp_path, monkeypatch, capsys):
+def test_without_the_program_one_line_says_what_to_do(tmp_path, monkeypatch, refused):
     monkeypatch.setattr(proved.sys, "executable", str(tmp_path / "python"))
     monkeypatch.setenv("PATH", str(tmp_path))
-    assert main(["count", "reflection-b3", "--verified"]) == 2
-    assert "run `make formal`" in capsys.readouterr().err
+    assert "run `make formal`" in refused("count reflection-b3 --verified")
 
 
 @pytest.mark.parametrize(

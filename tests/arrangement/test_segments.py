@@ -12,7 +12,6 @@ from hypothesis import given, settings, strategies as st
 from sympy import sqrt
 
 from arrangement import Arrangement, InputError, Segments, families, read_arrangement, read_segments
-from arrangement.cli import main
 from arrangement.pictures.segments import draw_segments
 from tests.arrangement.test_pieces import crossing, side, through
 
@@ -172,29 +171,26 @@ class TestCommand:
         path.write_text(json.dumps(cross.to_dict()))
         return path
 
-    def test_count_prints_the_pieces(self, path, capsys):
-        assert main(["count", str(path)]) == 0
-        lines = [line.split() for line in capsys.readouterr().out.splitlines()]
+    def test_count_prints_the_pieces(self, path, run):
+        lines = [line.split() for line in run("count", path).splitlines()]
         assert ["vertices", "5"] in lines
         assert ["bounded", "cells", "1"] in lines
-        assert main(["count", str(path), "--json"]) == 0
-        assert json.loads(capsys.readouterr().out)["edges"] == 5
+        assert run.json("count", path)["edges"] == 5
 
-    def test_what_is_for_arrangements_is_refused(self, path, tmp_path, capsys):
+    def test_what_is_for_arrangements_is_refused(self, path, tmp_path, refused):
         for words in (
-            ["faces", str(path)],
-            ["draw", str(path), "--view", "lines", "-o", str(tmp_path / "x.svg")],
-            ["draw", str(path), "--labels", "none", "-o", str(tmp_path / "x.svg")],
+            ["faces {}"],
+            ["draw {} --view lines -o", tmp_path / "x.svg"],
+            ["draw {} --labels none -o", tmp_path / "x.svg"],
         ):
-            assert main(words) == 2
-        capsys.readouterr()
+            refused(words[0], path, *words[1:])
         for option in ("forecast", "inside P", "primes 5", "store F", "time-limit 9", "verified"):
-            assert main(["count", str(path), *f"--{option}".split()]) == 2
-            assert f"--{option.split()[0]} is for arrangements" in capsys.readouterr().err
+            error = refused(f"count {{}} --{option}", path)
+            assert f"--{option.split()[0]} is for arrangements" in error
         assert not (tmp_path / "x.svg").exists()
 
-    def test_draw_writes_a_picture(self, path, tmp_path):
-        assert main(["draw", str(path), "-o", str(tmp_path / "x.svg")]) == 0
+    def test_draw_writes_a_picture(self, path, tmp_path, run):
+        run("draw {} -o", path, tmp_path / "x.svg")
         text = (tmp_path / "x.svg").read_text()
         assert all(f'id="edge-{k}"' in text for k in (1, 2, 3))
         assert 'id="cell-1"' in text
@@ -230,7 +226,7 @@ class TestNames:
         assert segments.lines.names == ("", "ell")
         assert segments.named({1: "m"}).names == ("m", "")
 
-    def test_picture_has_names_and_colours(self, tmp_path):
+    def test_picture_has_names_and_colours(self, tmp_path, run):
         path = tmp_path / "segments.json"
         path.write_text(json.dumps(NAMED), encoding="utf-8")
         segments = read_segments(path)
@@ -243,7 +239,7 @@ class TestNames:
         (middle,) = [np.mean(x.points, axis=0) for x in scene.items if x.name == "edge-2"]
         assert np.hypot(*(np.array(texts[0].place) - middle)) == pytest.approx(5)
         words = ["draw", str(path), "--names", "1=m", "--colours", "m=blue", "-o"]
-        assert main([*words, str(tmp_path / "x.svg")]) == 0
+        run(*words, tmp_path / "x.svg")
         with pytest.raises(InputError, match="there are segments 1 to 2"):
             draw_segments.scene(segments, colours={3: "red"})
         with pytest.raises(InputError, match="1 names and 2 segments"):

@@ -90,7 +90,7 @@ def test_bounded_verdicts_agree_with_brute_force(count):
 @pytest.mark.parametrize("stiffness", [None, 10000])
 @pytest.mark.parametrize("wrench", [OUT, (0, 0, 0)])
 @pytest.mark.parametrize("dimension", [2, 3])
-def test_object_that_leaves_the_hand_has_a_warning(stiffness, wrench, dimension, refused):
+def test_object_that_leaves_the_hand_has_a_warning(stiffness, wrench, dimension):
     grasp = parse_csv(WEDGE).grasp
     if stiffness:
         grasp = Grasp(replace(c, stiffness=Fraction(stiffness)) for c in grasp)
@@ -398,7 +398,7 @@ def test_a_picture_says_that_motions_are_not_small(tmp_path, measured, run):
     assert "no equilibrium, among displacements of contacts up to 1/10" in path.read_text()
 
 
-def test_a_frictionless_disc_turns_too_far_to_resist_a_torque(refused):
+def test_a_frictionless_disc_turns_too_far_to_resist_a_torque():
     """Normals that miss the centre by 10^-6 hold a torque by a turn without any meaning."""
     small = Fraction(1, 10**6)
     cosine, sine = (1 - small**2) / (1 + small**2), 2 * small / (1 + small**2)

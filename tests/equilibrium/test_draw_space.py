@@ -83,7 +83,7 @@ def test_missing_body_drawn_as_dashed_hull():
     assert sum(x.name.startswith("link") for x in flat.items) >= 3
 
 
-def test_forces_and_motion_of_an_equilibrium_are_drawn(refused):
+def test_forces_and_motion_of_an_equilibrium_are_drawn():
     grasp = read_grasp("two-opposed-fingers")
     scene = scene_of(grasp, wrench=WRENCH)
     kinds = {x.name.rsplit("-", 1)[0] for x in scene.items}

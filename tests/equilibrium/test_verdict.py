@@ -106,7 +106,7 @@ def test_function_takes_wrenches_alone():
     assert [verdict.stable for verdict in found] == [True, False]
 
 
-def test_all_equilibria_of_few_contacts_in_the_plane_are_listed(refused):
+def test_all_equilibria_of_few_contacts_in_the_plane_are_listed():
     held, refused = (solve(THREE, (0, y, 0)) for y in (1, 2))
     contact = next(iter(THREE))
     for count, few in ((20, True), (21, False)):

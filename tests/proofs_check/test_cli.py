@@ -7,33 +7,28 @@ import pytest
 
 import proofs_check.claims
 from proofs_check import ClaimVerdict, Registry, registry
-from proofs_check.cli.program import main
 
 QUICK = ("step-1-square-bound", "table-three-contacts")
 QUICKEST = ("constraint-count", "fukuda-bound-attained")
 
 
-def test_list_names_every_claim(capsys):
-    assert main(["list"]) == 0
-    text = capsys.readouterr().out
+def test_list_names_every_claim(run):
+    text = run("list")
     assert all(claim.id in text for claim in registry())
-    assert main(["list", "--json"]) == 0
-    claims = json.loads(capsys.readouterr().out)["claims"]
+    claims = run.json("list")["claims"]
     assert [claim["id"] for claim in claims] == [claim.id for claim in registry()]
     assert all(len(set(claim["routes"])) == 2 for claim in claims)
 
 
-def test_run_prints_every_row_of_a_table(capsys):
-    assert main(["run", *QUICK]) == 0
-    captured = capsys.readouterr()
-    assert captured.out.count("Yes, numbers fit  Yes, numbers fit") == 5
-    assert "smallest counterexample: m = 1" in " ".join(captured.out.split())
-    assert captured.err == ""
+def test_run_prints_every_row_of_a_table(run):
+    out = run("run", *QUICK)
+    assert out.count("Yes, numbers fit  Yes, numbers fit") == 5
+    assert "smallest counterexample: m = 1" in " ".join(out.split())
+    assert run.err == ""
 
 
-def test_run_json_has_both_values_side_by_side(capsys):
-    assert main(["run", *QUICK, "--json", "--seed", "3"]) == 0
-    record = json.loads(capsys.readouterr().out)
+def test_run_json_has_both_values_side_by_side(run):
+    record = run.json("run", *QUICK, "--seed", "3")
     assert record["seed"] == 3
     assert record["as_expected"] is True
     assert [result["id"] for result in record["results"]] == list(QUICK)
@@ -43,14 +38,13 @@ def test_run_json_has_both_values_side_by_side(capsys):
 
 
 @pytest.mark.usefixtures("scrambled")
-def test_processes_change_nothing_of_what_is_said(tmp_path, capsys):
+def test_processes_change_nothing_of_what_is_said(tmp_path, run):
     """Nor its order, though a claim that takes long comes first."""
     said, found = [], []
     for jobs in ("1", "2"):
         path = tmp_path / f"{jobs}.json"
         names = (QUICK[1], *QUICKEST)
-        assert main(["run", *names, "--jobs", jobs, "--output", str(path)]) == 0
-        said.append(capsys.readouterr().out)
+        said.append(run("run", *names, "--jobs", jobs, "--output", path))
         record = json.loads(path.read_text(encoding="utf-8"))
         found.append([{**result, "milliseconds": 0} for result in record["results"]])
         assert [result["id"] for result in found[-1]] == list(names)
@@ -58,27 +52,24 @@ def test_processes_change_nothing_of_what_is_said(tmp_path, capsys):
     assert found[0] == found[1]
 
 
-def test_claims_that_take_minutes_are_checked_when_asked_for(monkeypatch, capsys):
+def test_claims_that_take_minutes_are_checked_when_asked_for(monkeypatch, run):
     known = [registry()[id] for id in QUICKEST]
     claims = Registry([known[0], replace(known[1], large=True)])
     monkeypatch.setattr(proofs_check.claims, "registry", lambda: claims)
     for options, ids in ((), QUICKEST[:1]), (("--large",), QUICKEST), (QUICKEST[1:],) * 2:
-        assert main(["run", *options, "--json"]) == 0
-        results = json.loads(capsys.readouterr().out)["results"]
+        results = run.json("run", *options)["results"]
         assert [result["id"] for result in results] == list(ids)
 
 
-def test_exit_code_one_when_a_verdict_is_not_the_expected_one(monkeypatch, capsys):
+def test_exit_code_one_when_a_verdict_is_not_the_expected_one(monkeypatch, run):
     wrong = replace(registry()["step-1-square-bound"], expected=ClaimVerdict.HOLDS)
     monkeypatch.setattr(proofs_check.claims, "registry", lambda: Registry([wrong]))
-    assert main(["run"]) == 1
-    assert "not as expected: step-1-square-bound" in capsys.readouterr().out
+    assert "not as expected: step-1-square-bound" in run("run", code=1)
 
 
-def test_text_keeps_to_the_width(monkeypatch, capsys):
+def test_text_keeps_to_the_width(monkeypatch, run):
     monkeypatch.setenv("COLUMNS", "72")
-    assert main(["run", "step-1-square-bound", QUICKEST[0]]) == 0
-    assert max(map(len, capsys.readouterr().out.splitlines())) <= 72
+    assert max(map(len, run("run step-1-square-bound", QUICKEST[0]).splitlines())) <= 72
 
 
 @pytest.mark.parametrize(
@@ -92,11 +83,8 @@ def test_text_keeps_to_the_width(monkeypatch, capsys):
         (["list", "refuted"], "there is no 'refuted'; write 'proofs-check run | grep refuted'"),
     ],
 )
-def test_words_that_are_not_commands_are_answered_with_one(capsys, words, answer):
-    with pytest.raises(SystemExit) as stopped:
-        main(words)
-    assert stopped.value.code == 2
-    assert answer in capsys.readouterr().err
+def test_words_that_are_not_commands_are_answered_with_one(refused, words, answer):
+    assert answer in refused("{} " * len(words), *words)
 
 
 @pytest.mark.parametrize(
@@ -111,26 +99,21 @@ def test_words_that_are_not_commands_are_answered_with_one(capsys, words, answer
         (["bounded_regions >= 1"], ""),  # refuted, on lines as well
     ],
 )
-def test_quantities_that_are_0_wherever_tried_are_reported(capsys, words, note):
-    main(["try", *words, "--samples", "20"])
-    err = capsys.readouterr().err
-    assert err.startswith(note)
-    assert bool(note) == bool(err)
+def test_quantities_that_are_0_wherever_tried_are_reported(run, words, note):
+    run("try", *words, "--samples", "20", code=None)
+    assert run.err.startswith(note)
+    assert bool(note) == bool(run.err)
 
 
-def test_letters_for_the_dimension_are_answered(capsys):
-    assert main(["try", "regions <= m**d"]) == 2
-    assert "write rank, or the number: 2 with --of lines" in capsys.readouterr().err
-    assert main(["try", "regions <= nothing"]) == 2
-    assert "m (planes), rank, regions" in capsys.readouterr().err
+def test_letters_for_the_dimension_are_answered(refused):
+    assert "write rank, or the number: 2 with --of lines" in refused("try", "regions <= m**d")
+    assert "m (planes), rank, regions" in refused("try", "regions <= nothing")
 
 
-def test_claims_are_listed_a_line_each_in_a_pipe(capsys):
-    assert main(["list"]) == 0
-    lines = capsys.readouterr().out.splitlines()
+def test_claims_are_listed_a_line_each_in_a_pipe(run):
+    lines = run("list").splitlines()
     assert [line.split()[0] for line in lines] == list(proofs_check.claims.entries())
 
 
-def test_numbers_of_the_paper_name_claims(capsys):
-    assert main(["list", "lemma-4"]) == 2
-    assert "the nearest are printed-detachment, printed-preload" in capsys.readouterr().err
+def test_numbers_of_the_paper_name_claims(refused):
+    assert "the nearest are printed-detachment, printed-preload" in refused("list lemma-4")

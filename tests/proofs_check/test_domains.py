@@ -1,6 +1,5 @@
 """Families, generators and pseudolines as domains of claims."""
 
-import json
 import re
 from itertools import combinations
 from pathlib import Path
@@ -12,7 +11,6 @@ from arrangement import Arrangement, counts
 from arrangement.library import families
 from arrangement.library.census import census
 from proofs_check import ClaimVerdict, claim, evaluate, family
-from proofs_check.cli.program import main
 from proofs_check.errors import OwnClaimError
 from proofs_check.instances.domains import DOMAINS, domain
 from proofs_check.instances.families import MOST_MEMBERS, read_family
@@ -68,9 +66,8 @@ def test_members_are_those_of_the_library():
         ("(n=2)", "write one as"),
     ],
 )
-def test_what_is_no_family_is_one_error(text, words, capsys):
-    assert main(["try", "m > 0", "--of", text]) == 2
-    error = capsys.readouterr().err
+def test_what_is_no_family_is_one_error(text, words, refused):
+    error = refused("try {} --of", "m > 0", text)
     assert words in error
     assert error.startswith("error: ")
     assert error.count("\n") == 1
@@ -106,21 +103,19 @@ def test_functions_of_a_claim_take_the_parameters_that_they_name():
     assert [record.values for record in result.evidence.records] == [(3, 3), (125, 125)]
 
 
-def test_a_claim_in_one_line_names_the_parameters_of_a_family(tmp_path, monkeypatch, capsys):
+def test_a_claim_in_one_line_names_the_parameters_of_a_family(tmp_path, monkeypatch, run, refused):
     monkeypatch.chdir(tmp_path)
     for statement, code in (
         ("regions == (n + 1)**(n - 1)", 0),
         ("abs(chi(1)) == (n - 1)**(n - 1) and bounded_regions == 0", 0),
         ("regions == chi(-1)", 1),
     ):
-        assert main(["try", statement, "--of", "shi(n=2..5)", "--json"]) == code
-        found = json.loads(capsys.readouterr().out)["results"][0]
+        found = run.json("try {} --of shi(n=2..5)", statement, code=code)["results"][0]
         assert found["over"] == "shi(n=2..5), 4 members"
         assert found["evidence_kind"] == "all cases"
     assert found["counterexample"]["label"] == "shi(n=3)"
     assert "is false: 16 and -16" in found["evidence"]
-    assert main(["try", "regions == k", "--of", "shi(n=2..5)"]) == 2
-    assert "did you mean" not in (message := capsys.readouterr().err)
+    assert "did you mean" not in (message := refused("try {} --of shi(n=2..5)", "regions == k"))
     assert "'k' is not a quantity; expected one of m (planes), rank" in message
 
 
@@ -187,14 +182,15 @@ def test_a_failure_on_pseudolines_is_made_small():
     )
 
 
-def test_samples_of_pseudolines_are_types(capsys):
+def test_samples_of_pseudolines_are_types(refused):
     drawn = [DOMAINS["pseudolines"].draw(Random(seed), 5) for seed in range(30)]
     assert {lines.signs for lines in drawn} == {case.subject.signs for case in types([5])}
     assert isinstance(DOMAINS["pseudolines"].draw(Random(0), 9), Pseudolines)
     with pytest.raises(OwnClaimError, match="at most 9"):
         claim("s", of="pseudolines", planes=(3, 10))
-    assert main(["try", "m > 2", "--of", "pseudolines", "--classes", "3..10"]) == 2
-    assert "expected numbers of pseudolines from 3 to 9" in capsys.readouterr().err
+    assert "expected numbers of pseudolines from 3 to 9" in refused(
+        "try {} --of pseudolines --classes 3..10", "m > 2"
+    )
 
 
 def test_out_of_domain_distinct_from_out_of_hypotheses():
@@ -207,13 +203,12 @@ def test_out_of_domain_distinct_from_out_of_hypotheses():
     assert (part.checked, part.foreign, part.passed_over) == (1, 4, 2)
 
 
-def test_an_unknown_domain_lists_those_of_the_documentation(capsys):
+def test_an_unknown_domain_lists_those_of_the_documentation(refused):
     text = (ROOT / "docs" / "checking.rst").read_text(encoding="utf-8")
     table = text.partition("Domains, named in")[2].partition("\n\nInstead of")[0]
     rows = re.findall(r"^   \* - (.*)$", table, re.MULTILINE)
     documented = {name for row in rows for name in re.findall(r"`([\w()=-]+)`", row)}
-    assert main(["try", "m > 0", "--of", "simpel"]) == 2
-    error = capsys.readouterr().err
+    error = refused("try {} --of simpel", "m > 0")
     assert "did you mean simple?" in error
     listed = re.search(r"there are ([\w, ()=-]+), and families such as catalan", error)
     assert listed is not None

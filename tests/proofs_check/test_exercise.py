@@ -13,7 +13,6 @@ from arrangement import Arrangement
 from equilibrium import Grasp, read_grasp, solve
 from equilibrium.certificate.checker import check
 from proofs_check import exercise
-from proofs_check.cli.program import main
 from proofs_check.course.exercise import FORMS
 from proofs_check.errors import OwnClaimError
 
@@ -109,26 +108,22 @@ def hand_in(**answers: Any) -> str:
     return "mine.json"
 
 
-def test_points_are_for_right_answers(desk, capsys):
-    assert main(["grade", "lecture.py", hand_in(one=1, somewhere=GRASP.to_dict())]) == 0
-    assert capsys.readouterr().out.split()[-4:] == ["5", "of", "5", "points"]
+def test_points_are_for_right_answers(desk, run):
+    graded = run("grade lecture.py", hand_in(one=1, somewhere=GRASP.to_dict()))
+    assert graded.split()[-4:] == ["5", "of", "5", "points"]
     command = ["grade", "lecture.py", hand_in(one="1", somewhere=Grasp().to_dict()), "--json"]
-    assert main(command) == 1
-    found = json.loads(capsys.readouterr().out)
+    found = json.loads(run(*command, code=1))
     assert (found["points"], found["most"]) == (2, 5)
     assert [one["mistake"] for one in found["exercises"]] == ["", "only 0 contacts"]
-    assert main(["grade", "lecture.py", hand_in()]) == 1
-    assert capsys.readouterr().out.count("no answer") == 2
+    assert run("grade lecture.py", hand_in(), code=1).count("no answer") == 2
 
 
-def test_without_answers_the_questions_are_listed(desk, capsys):
-    assert main(["grade", "lecture.py"]) == 0
-    assert "One? Answer: number" in capsys.readouterr().out
-    assert main(["grade", "lecture.py", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["exercises"][1]["of"] == "grasp"
+def test_without_answers_the_questions_are_listed(desk, run):
+    assert "One? Answer: number" in run("grade lecture.py")
+    assert run.json("grade lecture.py")["exercises"][1]["of"] == "grasp"
 
 
-def test_a_class_is_marked_whatever_one_of_it_hands_in(desk, capsys):
+def test_a_class_is_marked_whatever_one_of_it_hands_in(desk, run, refused):
     sloppy = """@exercise("Minus one?", points=3)
 def sign(answer):
     return (Fraction(3, 2), "the sign") if 2 / answer == 2 else answer == -1"""
@@ -144,21 +139,19 @@ def sign(answer):
     }.items():
         document = f'{{"schema_version": 1, "answers": {answers}}}'
         (folder / f"{name}.json").write_text(document, encoding="utf-8")
-    assert main(["grade", "lecture.py", "class", "-o", "points.csv"]) == 2
-    assert "sign 3/2 of 3" in capsys.readouterr().out
+    assert "sign 3/2 of 3" in run("grade lecture.py class -o points.csv", code=2)
     head, *rows = csv.reader((desk / "points.csv").read_text(encoding="utf-8").splitlines())
     assert head == ["name", "one", "somewhere", "sign", "total", "error"]
     assert rows[:2] == [["'=ada", "2", "3", "3", "8", ""], ["bob", "0", "0", "1.5", "1.5", ""]]
     assert [row[:5] for row in rows[2:]] == [["cy", *[""] * 4], ["dan", *[""] * 4]]
     assert "JSON" in rows[2][5]
     assert "ZeroDivisionError" in rows[3][5]
-    assert main(["grade", "lecture.py", "class", "--json"]) == 2
-    ada, bob, *_ = map(json.loads, capsys.readouterr().out.splitlines())
+    ada, bob, *_ = map(json.loads, run("grade lecture.py class --json", code=2).splitlines())
     assert (ada["points"], bob["points"]) == (8, "3/2")
     assert "'some-where' is not an exercise" in bob["exercises"][1]["mistake"]
     (folder / "cy.json").unlink()
     (folder / "dan.json").unlink()
-    assert main(["grade", "lecture.py", "class"]) == 1
-    assert main(["grade", "lecture.py", "class/bob.json", "-o", "x.csv"]) == 2
+    run("grade lecture.py class", code=1)
+    refused("grade lecture.py class/bob.json -o x.csv")
     (desk / "empty").mkdir()
-    assert main(["grade", "lecture.py", "empty"]) == 2
+    refused("grade lecture.py empty")

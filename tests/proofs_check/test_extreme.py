@@ -1,12 +1,9 @@
 """Extreme values over all isomorphism classes, against published ones and against brute force."""
 
-import json
-
 import pytest
 
 from arrangement import Arrangement, counts, read_arrangement
 from arrangement.library.census import census, lines
-from proofs_check.cli.program import main
 from proofs_check.errors import OwnClaimError
 from proofs_check.own_claims.extreme import extremes
 
@@ -66,33 +63,28 @@ def test_what_has_no_extreme_is_refused(text, of, low, high, match):
         list(extremes(text, of, low, high))
 
 
-def test_command_prints_and_saves_examples(tmp_path, capsys):
+def test_command_prints_and_saves_examples(tmp_path, run):
     options = ["--of", "lines", "--classes", "3..4", "--save", str(tmp_path / "made")]
-    assert main(["extreme", "bounded_regions", *options]) == 0
-    lines = capsys.readouterr().out.splitlines()
+    lines = run("extreme bounded_regions", *options).splitlines()
     assert lines[0] == "largest bounded_regions of lines: all classes"
     assert lines[2].split()[:5] == ["3", "1", "1", "of", "4"]
     saved = read_arrangement(tmp_path / "made" / "largest-4.json")
     assert isinstance(saved, Arrangement)
     assert len(saved.bounded_regions()) == 3
-    assert main(["extreme", "bounded_regions", *options[:4], "--smallest", "--json"]) == 0
-    made = json.loads(capsys.readouterr().out)
+    made = run.json("extreme bounded_regions", *options[:4], "--smallest")
     assert [one["value"] for one in made["values"]] == [0, 0]
     assert read_arrangement(made["values"][0]["example"]).bounded_region_count() == 0
 
 
-def test_command_reports_that_no_class_is_left(capsys):
+def test_command_reports_that_no_class_is_left(run):
     words = ["extreme", "regions", "--of", "lines", "--classes", "3", "--when", "regions > 9"]
-    assert main(words) == 1
-    assert capsys.readouterr().out == "no class of lines obeys: regions > 9\n"
-    assert main(["extreme", "regions", "--of", "lines", "--classes", "3..10"]) == 2
-    assert capsys.readouterr().out == ""
+    assert run(*words, code=1) == "no class of lines obeys: regions > 9\n"
+    assert run("extreme regions --of lines --classes 3..10", code=2) == ""
 
 
-def test_folder_that_cannot_be_written_is_refused_before_results(tmp_path, capsys):
+def test_folder_that_cannot_be_written_is_refused_before_results(tmp_path, run):
     (tmp_path / "file").write_text("")
     words = ["extreme", "regions", "--of", "lines", "--classes", "3..4"]
-    assert main([*words, "--save", str(tmp_path / "file" / "folder")]) == 2
-    out, err = capsys.readouterr()
+    out, err = run(*words, "--save", tmp_path / "file" / "folder", code=2), run.err
     assert (out, err.count("\n")) == ("", 1)
     assert "cannot write" in err

@@ -1,6 +1,5 @@
 """What a sequence of values is: fits are exact and meet values that were not used."""
 
-import json
 from fractions import Fraction
 from math import comb
 from pathlib import Path
@@ -8,7 +7,6 @@ from pathlib import Path
 import pytest
 import sympy
 
-from proofs_check.cli.program import main
 from proofs_check.own_claims.fit import LEAST_CHECKED, MOST_PERIOD, fit
 
 N = sympy.Symbol("n")
@@ -78,13 +76,11 @@ def test_gaps_and_order_of_the_parameter_do_not_matter():
         ("regions / 2", "shi(type=B3, m=1..7)", 0, "(6*m + 1)**3/2 on m = 1..4, checked on 5..7"),
     ],
 )
-def test_the_command_says_what_fits_and_what_was_not_used(quantity, of, code, words, capsys):
-    assert main(["fit", quantity, "--of", of]) == code
-    text = " ".join(capsys.readouterr().out.split())
+def test_the_command_says_what_fits_and_what_was_not_used(quantity, of, code, words, run):
+    text = " ".join(run("fit {} --of", quantity, of, code=code).split())
     assert " ".join(words.split()) in text
     assert ("proved no" in text) == (code == 0)
-    assert main(["fit", quantity, "--of", of, "--json"]) == code
-    record = json.loads(capsys.readouterr().out)
+    record = run.json("fit {} --of", quantity, of, code=code)
     assert (record["fit"] is None) == bool(code)
     assert record["family"] == of
     if record["fit"]:
@@ -108,17 +104,16 @@ def other(planes):
 """
 
 
-def test_the_values_of_a_claim_are_fitted_where_its_routes_agree(tmp_path, monkeypatch, capsys):
+def test_the_values_of_a_claim_are_fitted_where_its_routes_agree(
+    tmp_path, monkeypatch, run, refused
+):
     monkeypatch.chdir(tmp_path)
     Path("mine.py").write_text(FILE.replace("{fault}", "0"), encoding="utf-8")
-    assert main(["fit", "mine.py:regions"]) == 0
-    assert "m**2 - m + 2 on m = 2..4" in capsys.readouterr().out
+    assert "m**2 - m + 2 on m = 2..4" in run("fit mine.py:regions")
     for name, words in (("mine.py:other", "one parameter"), ("mine.py", "one claim")):
-        assert main(["fit", name]) == 2
-        assert words in capsys.readouterr().err
+        assert words in refused("fit", name)
     Path("mine.py").write_text(FILE.replace("{fault}", "1"), encoding="utf-8")
-    assert main(["fit", "mine.py:regions"]) == 2
-    assert "the implementations disagree" in capsys.readouterr().err
+    assert "the implementations disagree" in refused("fit mine.py:regions")
 
 
 @pytest.mark.parametrize(
@@ -133,8 +128,7 @@ def test_the_values_of_a_claim_are_fitted_where_its_routes_agree(tmp_path, monke
         (["regions", "--of", "simple"], "no family is"),
     ],
 )
-def test_what_cannot_be_fitted_is_one_error(command, words, capsys):
-    assert main(["fit", *command]) == 2
-    error = capsys.readouterr().err
+def test_what_cannot_be_fitted_is_one_error(command, words, refused):
+    error = refused("fit", *command)
     assert words in error
     assert error.count("\n") == 1

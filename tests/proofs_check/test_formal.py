@@ -13,7 +13,6 @@ import pytest
 
 from arrangement.planes.proved import program
 from proofs_check import ClaimVerdict, registry
-from proofs_check.cli.program import main
 from proofs_check.reports import report
 from proofs_check.reports.page import html_page
 from proofs_check.routes.proved import COUNTS
@@ -147,13 +146,11 @@ def test_claims_and_theorems_name_one_another():
         assert for_all == (claim.proof is not None), claim.id
 
 
-def test_a_theorem_is_shown_with_its_claim(capsys):
-    assert main(["list", "euler"]) == 0
-    shown = capsys.readouterr().out
+def test_a_theorem_is_shown_with_its_claim(run):
+    shown = run("list euler")
     assert "vertices - edges + faces = 2." in shown
     assert "Proof" not in shown
-    assert main(["list", "dual-planar-3-connected"]) == 0
-    assert "in prose    the whole proof" in capsys.readouterr().out
+    assert "in prose    the whole proof" in run("list dual-planar-3-connected")
 
 
 def named(claim, **changes):
@@ -178,9 +175,8 @@ def test_no_hand_sets_a_badge():
 
 
 @pytest.mark.skipif(program() is None, reason="`make formal` has not built the program")
-def test_the_proved_program_is_a_third_route(capsys):
-    assert main(["run", "--verified", "--json", "different-slip-states"]) == 0
-    (result,) = json.loads(capsys.readouterr().out)["results"]
+def test_the_proved_program_is_a_third_route(run):
+    (result,) = run.json("run --verified different-slip-states")["results"]
     assert result["routes"][-1] == "the program proved in Coq"
     assert [len(set(record["values"])) for record in result["records"]] == [1] * 8
     assert {len(record["values"]) for record in result["records"]} == {3}

@@ -8,7 +8,6 @@ import pytest
 
 from arrangement.pictures.lab.lines import line_exercises
 from equilibrium.pictures.lab.page import slip_exercises
-from proofs_check.cli import main
 from proofs_check.course.exercise import load_exercises
 from tests.equilibrium.test_lab_exercises import REFUSED, SOLVED
 
@@ -51,7 +50,7 @@ def test_what_is_no_link_is_a_wrong_answer(answer):
         assert not any(one.mark(answer).points for one in load_exercises(lab).values())
 
 
-def test_lab_files_are_told_apart_and_refused(tmp_path, monkeypatch, capsys):
+def test_lab_files_are_told_apart_and_refused(tmp_path, monkeypatch, refused):
     monkeypatch.chdir(tmp_path)
     for name, one in (("slip", SLIP["Let one go"]), ("lines", LINES["A near-pencil"])):
         document = {"schema_version": 1, "exercises": [one]}
@@ -61,11 +60,8 @@ def test_lab_files_are_told_apart_and_refused(tmp_path, monkeypatch, capsys):
         json.dumps({"schema_version": 1, "exercises": [LINES["A near-pencil"]] * 2}), "utf-8"
     )
     Path("none.json").write_text('{"schema_version": 1, "exercises": []}', encoding="utf-8")
-    assert main(["grade", "twice.json"]) == 2
-    assert main(["grade", "none.json"]) == 2
-    said = capsys.readouterr().err.splitlines()
-    assert "two exercises of one name" in said[0]
-    assert "empty list" in said[1]
+    assert "two exercises of one name" in refused("grade twice.json")
+    assert "empty list" in refused("grade none.json")
 
 
 LECTURE = """from proofs_check import exercise
@@ -86,12 +82,11 @@ def course(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_class_list_decides_rows_and_keeps_its_columns(course, capsys):
+def test_class_list_decides_rows_and_keeps_its_columns(course, run):
     text = "\ufeffID;Name\nu2;Müller, Bob\nu3;Ada\nu1;Carl\n"
     Path("list.csv").write_text(text, encoding="utf-8")
     words = ["grade", "lecture.py", "class", "--students", "list.csv", "-o", "points.csv"]
-    assert main(words) == 1
-    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == ["u2", "u3", "u1"]
+    assert [line.split()[0] for line in run(*words, code=1).splitlines()] == ["u2", "u3", "u1"]
     with Path("points.csv").open(encoding="utf-8", newline="") as stream:
         rows = list(csv.reader(stream, delimiter=";"))
     assert rows == [
@@ -103,10 +98,10 @@ def test_class_list_decides_rows_and_keeps_its_columns(course, capsys):
 
 
 @pytest.mark.parametrize("sign", ["=", "+", "-", "@"])
-def test_no_cell_of_a_class_list_is_a_formula(sign, course):
+def test_no_cell_of_a_class_list_is_a_formula(sign, course, run):
     text = f"ID,Name\nu1,{sign}SUM(A1)\nu2,a{sign}b\n"
     Path("list.csv").write_text(text, encoding="utf-8")
-    assert main(["grade", "lecture.py", "class", "--students", "list.csv", "-o", "p.csv"]) == 1
+    run("grade lecture.py class --students list.csv -o p.csv", code=1)
     _, first, second = Path("p.csv").read_text(encoding="utf-8").splitlines()
     assert first.startswith(f"u1,'{sign}SUM(A1),")
     assert second.startswith(f"u2,a{sign}b,")
@@ -121,7 +116,6 @@ def test_no_cell_of_a_class_list_is_a_formula(sign, course):
         ("ID,Name\nu1\nu2,b\n", "line 2 has 1 entries; expected 2"),
     ],
 )
-def test_class_list_that_does_not_fit_is_refused(text, said, course, capsys):
+def test_class_list_that_does_not_fit_is_refused(text, said, course, refused):
     Path("list.csv").write_text(text, encoding="utf-8")
-    assert main(["grade", "lecture.py", "class", "--students", "list.csv"]) == 2
-    assert said in capsys.readouterr().err
+    assert said in refused("grade lecture.py class --students list.csv")

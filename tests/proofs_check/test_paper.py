@@ -1,6 +1,5 @@
 """The command paper: every figure and table, beside what the paper prints."""
 
-import json
 import re
 from pathlib import Path
 
@@ -101,22 +100,19 @@ def test_no_label_of_a_figure_covers_another(figure):
 
 
 @pytest.mark.slow
-def test_a_second_run_writes_the_same_bytes(folder, capsys):
+def test_a_second_run_writes_the_same_bytes(folder, run):
     before = {path.name: path.read_bytes() for path in folder.iterdir()}
-    assert main(["paper", "-o", str(folder), "--json"]) == 0
-    document = json.loads(capsys.readouterr().out)
+    document = run.json("paper -o", folder)
     assert document["files"] == page.file_names()
     assert [*document["tables"]] == ["I", "II", "III"]
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
 
 
-def test_a_folder_with_other_files_is_refused(tmp_path, capsys):
+def test_a_folder_with_other_files_is_refused(tmp_path, refused):
     (tmp_path / "mine.txt").write_text("mine")
-    assert main(["paper", "-o", str(tmp_path)]) == 2
-    assert "'mine.txt'" in capsys.readouterr().err
+    assert "'mine.txt'" in refused("paper -o", tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["mine.txt"]
-    assert main(["paper", "-o", str(tmp_path / "mine.txt")]) == 2
-    assert "is a file" in capsys.readouterr().err
+    assert "is a file" in refused("paper -o", tmp_path / "mine.txt")
 
 
 def test_a_failure_leaves_the_old_folder(tmp_path, monkeypatch):

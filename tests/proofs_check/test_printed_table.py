@@ -13,7 +13,6 @@ from arrangement import read_arrangement
 from arrangement.cli import main as count
 from equilibrium.grasps.inputs.documents import read_grasp
 from proofs_check import Claim, ClaimVerdict, claim, evaluate, registry
-from proofs_check.cli.program import main
 from proofs_check.course.printed_table import check_table
 from proofs_check.instances import printed
 from proofs_check.instances.grasps import grasp_of, paper_question
@@ -33,9 +32,9 @@ def test_simplicial_catalogue_agrees_with_print():
 
 
 @pytest.mark.slow
-def test_conflict_in_printed_type_numbers_found(capsys):
-    assert main(["run", str(EXAMPLES / "oeis.csv"), "--json"]) == 1
-    rows = [json.loads(line) for line in capsys.readouterr()[0].splitlines()]
+def test_conflict_in_printed_type_numbers_found(run):
+    lines = run("run {} --json", EXAMPLES / "oeis.csv", code=1).splitlines()
+    rows = [json.loads(line) for line in lines]
     verdicts = [row["verdict"] for row in rows]
     assert verdicts.count("conflict") == 1
     assert verdicts.count("agree") >= 15
@@ -48,10 +47,9 @@ def table(tmp_path: Path, *rows: str, first: str = "printed,arrangement,quantity
     return str(path)
 
 
-def test_both_values_are_printed_and_the_exit_code_is_no(tmp_path, capsys):
+def test_both_values_are_printed_and_the_exit_code_is_no(tmp_path, run):
     path = table(tmp_path, "25,braid-a3,regions", '"51,840",coxeter type=E6,regions')
-    assert main(["run", path]) == 1
-    out, _ = capsys.readouterr()
+    out, _ = run("run", path, code=1), run.err
     assert out.splitlines() == [
         "differ        braid-a3, regions: printed 25, computed 24",
         "agree         coxeter type=E6, regions: printed 51,840, computed 51,840",
@@ -64,20 +62,19 @@ def test_both_values_are_printed_and_the_exit_code_is_no(tmp_path, capsys):
         "43,lines n=6,affine-simple-types",
         "4,pseudolines n=6,simple-types",
     )
-    assert main(["run", path]) == 0
+    run("run", path)
 
 
-def test_table_says_why_no_region_is_bounded(tmp_path, capsys):
+def test_table_says_why_no_region_is_bounded(tmp_path, run):
     path = table(
         tmp_path, "1,linial type=3,bounded-regions", "1,linial type=3,relatively-bounded-regions"
     )
-    assert main(["run", path]) == 1
-    differ, agree, _ = capsys.readouterr().out.splitlines()
+    differ, agree, _ = run("run", path, code=1).splitlines()
     assert "computed 0 (every region contains a line" in differ
     assert agree.startswith("agree")
 
 
-def test_bad_row_does_not_stop_the_others(tmp_path, capsys):
+def test_bad_row_does_not_stop_the_others(tmp_path, run):
     path = table(
         tmp_path,
         "24,braid-a3,regoins",
@@ -89,8 +86,7 @@ def test_bad_row_does_not_stop_the_others(tmp_path, capsys):
         "4,catalan(k=2),regions",
         "24,braid-a3,regions",
     )
-    assert main(["run", path]) == 2
-    out, err = capsys.readouterr()
+    out, err = run("run", path, code=2), run.err
     assert [line.split("  ")[0] for line in out.splitlines()[:-1]] == [
         *("not read", "differ", "not read", "not read", "not read", "not read", "not read"),
         "conflict",

@@ -21,7 +21,6 @@ from arrangement import Arrangement, InputError
 from arrangement.library.families import generic
 from equilibrium.grasps.inputs.documents import read_grasp
 from proofs_check import Kind, evaluate, registry
-from proofs_check.cli.program import main
 from proofs_check.reports import forms as pages, report
 from proofs_check.reports.formula import mathml
 from proofs_check.reports.page import html_page, pictures, python_lines
@@ -45,24 +44,22 @@ def page(record: dict[str, Any]) -> str:
 
 @pytest.mark.parametrize("form", ["txt", "md", "html", "json"])
 @pytest.mark.parametrize("missing", ["id", "records", "routes"])
-def test_record_without_a_key_is_refused(form, missing, record, tmp_path, capsys):
+def test_record_without_a_key_is_refused(form, missing, record, tmp_path, refused):
     broken = copy.deepcopy(record)
     del broken["results"][0][missing]
     path = tmp_path / "broken.json"
     path.write_text(json.dumps(broken), encoding="utf-8")
-    assert main(["report", str(path), "--format", form]) == 2
-    out, err = capsys.readouterr()
-    assert (out, err.count("\n")) == ("", 1)
+    assert refused("report {} --format", path, form).count("\n") == 1
 
 
 @pytest.mark.parametrize("form", ["txt", "md", "html"])
-def test_reports_have_no_control_characters(form, tmp_path, capsys):
+def test_reports_have_no_control_characters(form, tmp_path, run):
     text = "a\x1b[31m\u202e\x9b\u2066b"
     path, made = tmp_path / "record.json", tmp_path / f"report.{form}"
     path.write_text(json.dumps(hostile(text)), encoding="utf-8")
-    assert main(["report", str(path), "--format", form]) == 1
-    assert main(["report", str(path), "-o", str(made)]) == 1
-    for shown in (capsys.readouterr().out, made.read_text(encoding="utf-8")):
+    printed = run("report {} --format", path, form, code=1)
+    printed += run("report {} -o", path, made, code=1)
+    for shown in (printed, made.read_text(encoding="utf-8")):
         assert r"\x1b" in shown
         assert all(c == "\n" or c.isprintable() for c in shown)
 
@@ -156,10 +153,10 @@ def test_the_counterexample_in_the_record_can_be_checked_again(record):
 
 
 @pytest.mark.parametrize("ending", [".md", ".html"])
-def test_a_report_made_later_from_the_file_is_the_same(tmp_path, record, page, ending):
+def test_a_report_made_later_from_the_file_is_the_same(tmp_path, record, page, ending, run):
     source, later = tmp_path / "r.json", tmp_path / f"later{ending}"
     source.write_text(pages.FORMS[".json"](record), encoding="utf-8")
-    assert main(["report", str(source), "--output", str(later)]) == 0
+    run("report {} --output", source, later)
     text = later.read_text(encoding="utf-8")
     assert text == (page if ending == ".html" else pages.markdown(record))
     plain = text.replace("\\brk ", "").replace("{-}", "-")
@@ -255,10 +252,10 @@ def test_markdown_has_the_instances_of_counterexamples(record):
 
 
 @pytest.mark.slow
-def test_the_python_of_a_card_gives_its_verdict(record, tmp_path, monkeypatch):
+def test_the_python_of_a_card_gives_its_verdict(record, tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
-    assert main(["new", "mine"]) == 0
-    assert main(["report", "mine.py", "-o", "mine.json", "--seed", "2"]) == 0
+    run("new mine")
+    run("report mine.py -o mine.json --seed 2")
     own = json.loads((tmp_path / "mine.json").read_text(encoding="utf-8"))
     for result in (*record["results"], *own["results"]):
         lines = python_lines(result)
@@ -278,12 +275,12 @@ def test_without_matplotlib_the_page_says_what_is_missing(record, monkeypatch):
     assert page.count("pip install") == len(record["results"])
 
 
-def test_a_run_repeats_its_page_but_for_times(tmp_path, monkeypatch):
+def test_a_run_repeats_its_page_but_for_times(tmp_path, monkeypatch, run):
     made = []
     for epoch in ("0", "86400"):
         monkeypatch.setenv("SOURCE_DATE_EPOCH", epoch)
         path = tmp_path / "r.html"
-        assert main(["run", IDS[1], "--output", str(path)]) == 0
+        run("run {} --output", IDS[1], path)
         text = path.read_text(encoding="utf-8")
         made.append(re.sub(r'<span class="time">\d+ ms</span>', "", text))
     assert "1970-01-01T00:00:00Z" in made[0]
@@ -357,16 +354,17 @@ def test_the_digest_of_a_report_is_that_of_what_was_found(record, page):
 
 
 @pytest.mark.parametrize("ending", [".pdf", ".tex"])
-def test_a_report_is_printed_from_its_page(ending, tmp_path, capsys, record):
+def test_a_report_is_printed_from_its_page(ending, tmp_path, refused, record):
     source = tmp_path / "r.json"
     source.write_text(json.dumps(record), encoding="utf-8")
     for command in (["run", "euler"], ["report", str(source)]):
-        assert main([*command, "-o", str(tmp_path / f"r{ending}")]) == 2
-        assert "write .html and print it from a browser" in capsys.readouterr().err
+        assert "write .html and print it from a browser" in refused(
+            *command, "-o", tmp_path / f"r{ending}"
+        )
     assert [path.name for path in tmp_path.iterdir()] == ["r.json"]
 
 
-def test_an_unexpected_verdict_is_seen_in_every_form(tmp_path, record, page, capsys):
+def test_an_unexpected_verdict_is_seen_in_every_form(tmp_path, record, page, run):
     changed = json.loads(json.dumps(record))
     changed["as_expected"] = changed["results"][0]["as_expected"] = False
     for make, expected in ((pages.markdown, pages.markdown(record)), (html_page, page)):
@@ -374,17 +372,15 @@ def test_an_unexpected_verdict_is_seen_in_every_form(tmp_path, record, page, cap
         assert "(expected: refuted)" not in expected
     path = tmp_path / "r.json"
     path.write_text(json.dumps(changed), encoding="utf-8")
-    assert main(["report", str(path)]) == 1
-    assert "some verdict differs" in capsys.readouterr().out
+    assert "some verdict differs" in run("report", path, code=1)
 
 
-def test_hostile_numbers_in_a_record_are_refused_at_once(tmp_path, capsys):
+def test_hostile_numbers_in_a_record_are_refused_at_once(tmp_path, refused):
     content = hostile("x")
     content["results"][0]["counterexample"]["instance"] = {"planes": [["1e999999999", "0", "1"]]}
     path = tmp_path / "r.json"
     path.write_text(json.dumps(content), encoding="utf-8")
-    assert main(["report", str(path), "--output", str(tmp_path / "r.html")]) == 2
-    assert capsys.readouterr().err.startswith("error: ")
+    assert refused("report {} --output", path, tmp_path / "r.html").startswith("error: ")
     assert not (tmp_path / "r.html").exists()
 
 

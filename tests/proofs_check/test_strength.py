@@ -1,6 +1,5 @@
 """Words as strong as the evidence: proved, all cases, no counterexample found, refuted."""
 
-import json
 import os
 import re
 from collections import Counter
@@ -11,7 +10,6 @@ from pathlib import Path
 import pytest
 
 from proofs_check import Kind, Source, claim, evaluate, registry
-from proofs_check.cli.program import main
 from proofs_check.instances.domains import domain, known_families
 from proofs_check.own_claims.one_line import one_line_claim
 from proofs_check.reports import report, text
@@ -20,10 +18,6 @@ from proofs_check.statements.statement import ClaimVerdict, Strength
 
 FEW = ["--classes", "3..4", "--samples", "4"]
 SIMPLE_TRIANGLES = ["try", "p_vector.get(3, 0) <= 4*m", "--of", "simple"]
-
-
-def results(capsys: pytest.CaptureFixture[str]) -> list[dict]:
-    return json.loads(capsys.readouterr().out)["results"]
 
 
 def test_strength_is_that_of_the_weakest_evidence():
@@ -104,42 +98,41 @@ def test_evidence_from_samples_says_nowhere_that_a_claim_holds():
 
 
 @pytest.mark.parametrize("options", [[], ["--of", "lines"]])
-def test_no_verdict_is_undecided_and_not_no(options, tmp_path, monkeypatch, capsys):
+def test_no_verdict_is_undecided_and_not_no(options, tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
     outside = ["regions <= 8", "--when", "m == 100", *FEW, *options]
-    assert main(["try", *outside, "-o", "r.json"]) == 3
-    assert "verdict     no verdict\n  evidence    no case was checked" in capsys.readouterr().out
-    assert main(["report", "r.json"]) == 3
+    assert "verdict     no verdict\n  evidence    no case was checked" in run(
+        "try", *outside, "-o", "r.json", code=3
+    )
+    run("report r.json", code=3)
     Path("mine.py").write_text(
         "from proofs_check import claim\n"
         "@claim('s', of=[1], when=lambda x: False)\ndef empty(x):\n    return True\n"
         "@claim('s', of=[1])\ndef wrong(x):\n    return x == 2\n"
     )
-    assert main(["run", "mine.py:empty"]) == 3
-    assert main(["run", "mine.py"]) == 1
+    run("run mine.py:empty", code=3)
+    run("run mine.py", code=1)
 
 
-def test_words_of_a_claim_in_one_line_fit_it(tmp_path, monkeypatch, capsys):
+def test_words_of_a_claim_in_one_line_fit_it(tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
-    assert main(["try", "m < 3", "--classes", "3", "--samples", "0", "-o", "r.md"]) == 1
-    out = " ".join(capsys.readouterr().out.split())  # lines are as wide as the terminal
+    # Lines are as wide as the terminal.
+    out = " ".join(run("try {} --classes 3 --samples 0 -o r.md", "m < 3", code=1).split())
     assert "the one case: one arrangement of every isomorphism class of 3 planes evidence" in out
     assert re.search(r"smallest counterexample found \([0-9]+ smaller instances tried\)", out)
     tried = out.partition("also tried lines: ")[2]
     assert "refuted by lines (1,0) (0,1) (1,1): m < 3 is false: 3 and 3" in tried
-    assert main(["try", "not simple or not central", "--of", "lines", *FEW]) == 1
-    out = " ".join(capsys.readouterr().out.split())
+    out = " ".join(run("try {} --of lines", "not simple or not central", *FEW, code=1).split())
     assert "lines (1,0): the statement is false" in out
-    assert main(["try", "m < 3", *FEW, "--json"]) == 1
-    (found,) = results(capsys)
+    (found,) = run.json("try", "m < 3", *FEW, code=1)["results"]
     assert found["routes"] == ["evaluation of the statement"]
     assert (found["expected"], found["expectation_stated"]) == ("holds", False)
 
 
-def test_nothing_is_as_expected_where_nothing_was(tmp_path, monkeypatch, capsys):
+def test_nothing_is_as_expected_where_nothing_was(tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
-    assert main(["try", "m < 40", *FEW, "-o", "r.md"]) == 0
-    assert main(["try", "m < 40", *FEW, "-o", "r.txt"]) == 0
+    run("try", "m < 40", *FEW, "-o", "r.md")
+    run("try", "m < 40", *FEW, "-o", "r.txt")
     made = Path("r.md").read_text(encoding="utf-8") + Path("r.txt").read_text(encoding="utf-8")
     assert "expected" not in made
     source = "from proofs_check import claim\n" + "".join(
@@ -147,30 +140,26 @@ def test_nothing_is_as_expected_where_nothing_was(tmp_path, monkeypatch, capsys)
         for name, more, test in (("a", "", "x > 0"), ("b", ", expected='refuted'", "x > 1"))
     )
     Path("mine.py").write_text(source, encoding="utf-8")
-    assert main(["report", "mine.py"]) == 0
-    assert "Seed 0; as expected wherever that was stated." in capsys.readouterr().out
-    assert main(["report", "mine.py", "--format", "txt"]) == 0
-    assert "1 refuted; as expected wherever that was stated" in capsys.readouterr().out
+    assert "Seed 0; as expected wherever that was stated." in run("report mine.py")
+    assert "1 refuted; as expected wherever that was stated" in run("report mine.py --format txt")
 
 
-def test_claims_of_files_of_one_name_are_told_apart(tmp_path, monkeypatch, capsys):
+def test_claims_of_files_of_one_name_are_told_apart(tmp_path, monkeypatch, run, refused):
     monkeypatch.chdir(tmp_path)
     for folder in ("a", "b"):
         Path(folder).mkdir()
         source = "@claim('s', of=[1])\ndef fine(x):\n    return x == 1\n"
         Path(folder, "mine.py").write_text(f"from proofs_check import claim\n{source}")
-    assert main(["run", "a/mine.py", "b/mine.py"]) == 0
-    out = capsys.readouterr().out
+    out = run("run a/mine.py b/mine.py")
     assert "fine (a/mine.py)\n" in out
     assert "fine (b/mine.py)\n" in out
     assert "the one case: the 1 given instance\n" in out
-    assert main(["run", "a/mine.py"]) == 0
-    assert "fine (mine.py)\n" in capsys.readouterr().out
-    assert main(["run", "a/mine.py", "b/mine.py", "--save", "c"]) == 2
-    assert "2 claims have the id fine; expected one, for --save" in capsys.readouterr().err
+    assert "fine (mine.py)\n" in run("run a/mine.py")
+    error = refused("run a/mine.py b/mine.py --save c")
+    assert "2 claims have the id fine; expected one, for --save" in error
 
 
-def test_classes_up_to_a_number_are_not_all_of_a_domain(capsys):
+def test_classes_up_to_a_number_are_not_all_of_a_domain(run):
     @claim("s", of="pseudolines", classes=4, families=False, samples=0)
     def few(lines):
         return len(lines) < 10
@@ -178,10 +167,10 @@ def test_classes_up_to_a_number_are_not_all_of_a_domain(capsys):
     result = evaluate(few)
     assert [part.kind for part in result.evidence.parts] == [Kind.EXHAUSTIVE] * 2
     assert result.strength is Strength.SAMPLED
-    assert main(["try", "m < 10", "--of", "pseudolines", "--samples", "0", "--strict"]) == 3
-    assert "no counterexample found (" in capsys.readouterr().out
-    assert main(["try", "m < 9", "--of", "generic(m=3..8)", "--strict"]) == 0
-    assert "holds in all cases\n" in capsys.readouterr().out
+    assert "no counterexample found (" in run(
+        "try {} --of pseudolines --samples 0 --strict", "m < 10", code=3
+    )
+    assert "holds in all cases\n" in run("try {} --of generic(m=3..8) --strict", "m < 9")
 
 
 def test_a_proof_in_a_file_of_a_user_counts_as_samples():
@@ -191,23 +180,21 @@ def test_a_proof_in_a_file_of_a_user_counts_as_samples():
 
 
 @pytest.mark.parametrize("statement", ["m < 40", "regions < 400"])
-def test_samples_never_hold(statement, tmp_path, monkeypatch, capsys):
+def test_samples_never_hold(statement, tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
-    assert main(["try", statement, *FEW]) == 0
-    out = capsys.readouterr().out
+    out = run("try", statement, *FEW)
     assert "verdict    no counterexample found (" in out
     assert "holds" not in out
     assert "domain     distinct: central arrangements of different planes, of rank 3" in out
-    assert main(["try", statement, *FEW, "--strict", "-o", "r.json"]) == 3
-    assert main(["report", "r.json"]) == 0
-    assert main(["report", "r.json", "--strict"]) == 3
+    run("try", statement, *FEW, "--strict", "-o", "r.json", code=3)
+    run("report r.json")
+    run("report r.json --strict", code=3)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("more", [[], ["--classes", "3..8"]])
-def test_many_triangles_are_among_the_samples(more, capsys):
-    assert main([*SIMPLE_TRIANGLES, "--samples", "0", *more, "--json"]) == 1
-    (found,) = results(capsys)
+def test_many_triangles_are_among_the_samples(more, run):
+    (found,) = run.json(*SIMPLE_TRIANGLES, "--samples", "0", *more, code=1)["results"]
     assert found["strength"] == "refuted"
     assert len(found["counterexample"]["instance"]["planes"]) == 9
 
@@ -240,39 +227,34 @@ def test_families_have_coordinates_of_their_domain():
         assert max(len(case.subject) for case in cases) >= 12
 
 
-def test_refuted_on_great_circles_is_tried_on_lines(tmp_path, monkeypatch, capsys):
+def test_refuted_on_great_circles_is_tried_on_lines(tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
     steiner = "regions <= 1 + m + comb(m, 2)"
-    assert main(["try", steiner, *FEW, "-o", "r.html"]) == 1
-    out = capsys.readouterr().out
+    out = run("try", steiner, *FEW, "-o", "r.html", code=1)
     assert "domain      distinct: central arrangements" in out
     assert "verdict     refuted\n" in out  # nobody expected anything
     assert "also tried  lines: different lines of the plane: no counterexample found (" in out
     page = Path("r.html").read_text(encoding="utf-8")
     assert "Also tried" in page
     assert "Not as expected" not in page
-    assert main(["try", steiner, *FEW, "--json"]) == 1
-    (other,) = results(capsys)[0]["also_tried"]
+    (other,) = run.json("try", steiner, *FEW, code=1)["results"][0]["also_tried"]
     assert (other["strength"], other["verdict"]) == ("no counterexample found", "holds")
-    assert main(["try", steiner, "--of", "distinct", *FEW, "--json"]) == 1
-    assert "also_tried" not in results(capsys)[0]
+    alone = run.json("try {} --of distinct", steiner, *FEW, code=1)
+    assert "also_tried" not in alone["results"][0]
     assert [file.name for file in tmp_path.iterdir()] == ["r.html"]
 
 
 @pytest.mark.skipif(os.name == "nt", reason="folders of Windows")
 @pytest.mark.parametrize("more", [[], ["--json"]])
-def test_a_verdict_is_kept_where_its_file_cannot_be_written(more, tmp_path, monkeypatch, capsys):
+def test_a_verdict_is_kept_where_its_file_cannot_be_written(more, tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
     Path("file").write_text("")
-    assert main(["try", "m < 3", *FEW, *more]) == 1
-    capsys.readouterr()
-    assert main(["try", "m < 3", *FEW, *more, "--save", "file/folder"]) == 2
-    printed = capsys.readouterr()
-    assert "refuted" in printed.out
-    assert printed.err.startswith("error: cannot write 'file/folder'")
+    run("try", "m < 3", *FEW, *more, code=1)
+    assert "refuted" in run("try", "m < 3", *FEW, *more, "--save", "file/folder", code=2)
+    assert run.err.startswith("error: cannot write 'file/folder'")
 
 
-def test_stated_expectation_is_named_and_a_default_is_not(tmp_path, capsys):
+def test_stated_expectation_is_named_and_a_default_is_not(tmp_path, run):
     path = tmp_path / "mine.py"
     head = '@claim("s", of="generic(m=3..4)"'
     path.write_text(
@@ -281,23 +263,21 @@ def test_stated_expectation_is_named_and_a_default_is_not(tmp_path, capsys):
         f'{head}, expected="refuted")\ndef b(p): return len(p) > 2\n'
         f"{head})\ndef c(p): return len(p) < 3\n"
     )
-    assert main(["run", str(path)]) == 1
-    out = capsys.readouterr().out
+    out = run("run", path, code=1)
     assert "refuted (expected: holds)\n" in out
     assert "holds in all cases (expected: refuted)\n" in out
     assert out.count("(expected") == 2
 
 
-def test_sweep_over_classes_holds_in_all_cases_when_complete(tmp_path, capsys):
+def test_sweep_over_classes_holds_in_all_cases_when_complete(tmp_path, run):
     words = ["sweep", "euler", "--classes", "3..5", "--chunk", "3", "--strict"]
-    assert main([*words, "--store", str(tmp_path / "part"), "--shard", "1/2"]) == 3
-    assert ": no counterexample found (" in capsys.readouterr().out
-    assert main([*words, "--store", str(tmp_path / "whole")]) == 0
-    out = capsys.readouterr().out
+    assert ": no counterexample found (" in run(
+        *words, "--store", tmp_path / "part", "--shard", "1/2", code=3
+    )
+    out = run(*words, "--store", tmp_path / "whole")
     assert ": holds in all cases\n" in out
     assert "on other instances it needs the hypothesis the normals have rank 3" in out
-    options = ["--elements", "3..5", "--samples", "9", "--store", str(tmp_path / "s"), "--json"]
-    assert main(["sweep", "step-1-square-bound", *options]) == 0
-    (found,) = results(capsys)
+    options = ["--elements", "3..5", "--samples", "9", "--store", tmp_path / "s"]
+    (found,) = run.json("sweep step-1-square-bound", *options)["results"]
     assert (found["strength"], found["tried"]) == ("no counterexample found", 9)
     assert found["domain"] == found["over"]

@@ -13,7 +13,6 @@ from hypothesis import given, strategies as st
 from arrangement.console import workers
 from arrangement.errors import WorkerError
 from proofs_check import registry
-from proofs_check.cli.program import main
 from proofs_check.errors import SweepError
 from proofs_check.statements.evidence import verdict_from
 from proofs_check.sweep import report as sweepreport, store
@@ -50,7 +49,7 @@ def test_two_processes_find_what_one_finds(tmp_path):
     assert report(one) == report(two)
 
 
-def test_a_sweep_over_types_takes_each_of_them_once(tmp_path, capsys):
+def test_a_sweep_over_types_takes_each_of_them_once(tmp_path, run):
     plan = plan_sweep("state-formula", (3, 6), None, chunk=9)
     sums = total(run_chunk(plan, number) for number in range(plan.chunks))
     assert {m: sum(row) for m, row in sums.counts.items()} == {3: 1, 4: 2, 5: 4, 6: 17}
@@ -62,8 +61,7 @@ def test_a_sweep_over_types_takes_each_of_them_once(tmp_path, capsys):
         *(3, 4, 8, 9, 9)
     ]
     record = ["sweep", "euler", "--classes", "3..5", "--store", str(tmp_path / "s.sqlite")]
-    assert main(record) == 0
-    out = capsys.readouterr().out
+    out = run(*record)
     assert "7 all isomorphism classes of 3 to 5 distinct planes of rank 3: 7 that hold" in out
 
 
@@ -165,15 +163,14 @@ def test_swept_claims_have_values_on_random_instances(id):
     assert sweepreport.consistent(found, registry()[id].expected)
 
 
-def test_false_claim_on_random_instances_shrunk(tmp_path, capsys):
+def test_false_claim_on_random_instances_shrunk(tmp_path, run):
     path = own_file(tmp_path, 'return planes.rank == 3 or "low rank"')
     plan = ["--elements", "3..5", "--samples", "300", "--store", str(tmp_path / "s.sqlite")]
-    assert main(["sweep", path, *plan]) == 1
-    assert ": refuted\n" in capsys.readouterr().out
+    assert ": refuted\n" in run("sweep", path, *plan, code=1)
     with store.read(str(tmp_path / "s.sqlite")) as opened:
         (result,) = sweepreport.record(opened)["results"]
     assert len(result["counterexample"]["instance"]["planes"]) == 3
-    assert main(["report", str(tmp_path / "s.sqlite")]) == 1
+    run("report", tmp_path / "s.sqlite", code=1)
 
 
 def own_file(folder: Path, *lines: str) -> str:
@@ -222,19 +219,15 @@ def test_a_changed_import_does_not_continue_a_sweep(tmp_path):
         merge(place, [other])
 
 
-def test_what_was_finished_already_is_reported(tmp_path, capsys):
+def test_what_was_finished_already_is_reported(tmp_path, run):
     words = ["sweep", CLAIM, "--elements", "3..4", "--samples", "10", "--chunk", "5"]
     words += ["--store", str(tmp_path / "s.sqlite")]
-    assert main([*words, "--shard", "1/2"]) == 0
-    first = capsys.readouterr().out
+    first = run(*words, "--shard", "1/2")
     assert "already" not in first
-    assert main([*words, "--shard", "1/2"]) == 0
     again = "shard 1/2 was finished already: 1 chunk in the store, none new\n"
-    assert capsys.readouterr().out == again + first
-    assert main(words) == 0
-    assert "already" not in capsys.readouterr().out
-    assert main(words) == 0
-    assert capsys.readouterr().out.startswith("the sweep was finished already: 2 chunks in")
+    assert run(*words, "--shard", "1/2") == again + first
+    assert "already" not in run(*words)
+    assert run(*words).startswith("the sweep was finished already: 2 chunks in")
 
 
 def test_sweep_of_a_changed_file_runs_the_new_claim(tmp_path):
@@ -284,25 +277,23 @@ def test_files_that_are_no_stores_are_refused(tmp_path):
         sweep(small_plan(seed=1), str(tmp_path / "s.sqlite"))
 
 
-def test_status_says_how_far_it_is(tmp_path, capsys):
+def test_status_says_how_far_it_is(tmp_path, run):
     path = str(tmp_path / "s.sqlite")
     options = ["--elements", "2..3", "--samples", "20", "--chunk", "5", "--store", path]
-    assert main(["sweep", CLAIM, *options, "--shard", "1/2"]) == 0
-    capsys.readouterr()
-    assert main(["sweep", "--store", path, "--status", "--json"]) == 1
-    found = json.loads(capsys.readouterr().out)
+    run("sweep", CLAIM, *options, "--shard", "1/2")
+    found = run.json("sweep --store {} --status", path, code=1)
     assert (found["chunks"], found["chunks_due"], found["samples"]) == (2, 4, 10)
-    assert main(["sweep", CLAIM, *options]) == 0
-    assert main(["sweep", "--store", path, "--status"]) == 0
-    assert "20 of 20" in capsys.readouterr().out
+    run("sweep", CLAIM, *options)
+    assert "20 of 20" in run("sweep --store {} --status", path)
 
 
 @pytest.mark.parametrize("missing", ["joblib", "distributed"])
-def test_without_the_extra_the_message_names_it(tmp_path, monkeypatch, capsys, missing):
+def test_without_the_extra_the_message_names_it(tmp_path, monkeypatch, refused, missing):
     monkeypatch.setitem(sys.modules, missing, None)
     options = ["--elements", "2..3", "--samples", "9", "--store", str(tmp_path / "s.sqlite")]
-    assert main(["sweep", CLAIM, *options, "--dask", "tcp://127.0.0.1:1"]) == 2
-    assert "pip install dask distributed joblib" in capsys.readouterr().err
+    assert "pip install dask distributed joblib" in refused(
+        "sweep", CLAIM, *options, "--dask", "tcp://127.0.0.1:1"
+    )
 
 
 def test_classes_of_a_claim_on_lines_are_refused_with_the_remedy(tmp_path):

@@ -17,7 +17,7 @@ from arrangement.console import progress
 from arrangement.library.census import census, identify
 from equilibrium.grasps.inputs.documents import read_grasp
 from proofs_check import ClaimError, ClaimVerdict, claim, evaluate
-from proofs_check.cli.program import EXAMPLES, main
+from proofs_check.cli.program import EXAMPLES
 from proofs_check.instances.arrangements import line_cases
 from proofs_check.instances.domains import DOMAINS, domain, known_families, size
 from proofs_check.own_claims.claim_file import _FolderFinder, load
@@ -52,11 +52,9 @@ def triangles(planes: Arrangement) -> int:
 
 
 @pytest.mark.slow
-def test_documented_example_finds_counterexample(tmp_path, capsys):
+def test_documented_example_finds_counterexample(tmp_path, run):
     example = files("proofs_check.examples") / "triangles.py"
-    code = main(["run", str(example), "--save", str(tmp_path), "--json"])
-    found = json.loads(capsys.readouterr().out)
-    assert code == 0
+    found = run.json("run {} --save", example, tmp_path)
     assert [r["verdict"] for r in found["results"]] == ["refuted", "holds"]
     planes = read_arrangement(str(tmp_path / "twice-as-many-triangles.json"))
     assert planes.is_simple
@@ -67,17 +65,15 @@ def test_documented_example_finds_counterexample(tmp_path, capsys):
     assert not (tmp_path / "at-least-twice-as-many-triangles.json").exists()
 
 
-def test_false_claim_refuted_by_smallest_instance(write, tmp_path, capsys):
+def test_false_claim_refuted_by_smallest_instance(write, tmp_path, run):
     path = write(
         '@claim("No two planes coincide.", of="central")\n'
         "def different(planes):\n"
         '    return len(planes.distinct) == len(planes) or "two coincide"\n'
     )
-    assert main(["run", path]) == 1
+    run("run", path, code=1)
     assert [file.name for file in tmp_path.iterdir()] == ["mine.py"]
-    capsys.readouterr()
-    assert main(["run", path, *SAVE]) == 1
-    out = capsys.readouterr().out
+    out = run("run", path, *SAVE, code=1)
     assert re.search("verdict +refuted\n", out)
     saved = tmp_path / "counterexamples" / "different.json"
     assert str(saved.relative_to(tmp_path)) in out
@@ -88,36 +84,35 @@ def test_false_claim_refuted_by_smallest_instance(write, tmp_path, capsys):
     assert "two coincide" in json.loads(saved.read_text(encoding="utf-8"))["description"]
 
 
-def test_a_wrong_claim_on_grasps_is_saved_as_a_grasp_file(write, tmp_path):
+def test_a_wrong_claim_on_grasps_is_saved_as_a_grasp_file(write, tmp_path, run):
     path = write(
         '@claim("Preloads are at most 1.", of="grasp", samples=60)\n'
         "def small_preload(grasp):\n"
         '    return all(c.preload <= 1 for c in grasp) or "a large preload"\n'
     )
-    assert main(["run", path, *SAVE]) == 1
+    run("run", path, *SAVE, code=1)
     grasp = read_grasp(str(tmp_path / "counterexamples" / "small-preload.json"))
     (contact,) = grasp
     assert contact.point == (0, 0)
     assert (contact.friction, contact.stiffness, contact.preload) == (0, 1, 2)
 
 
-def test_failure_of_many_planes_stays_large(write, tmp_path):
+def test_failure_of_many_planes_stays_large(write, tmp_path, run):
     path = write(
         '@claim("At most 12 regions.", of="distinct", classes=5, samples=20)\n'
         "def few(planes):\n"
         '    return planes.f_vector[3] <= 12 or "more"\n'
     )
-    assert main(["run", path, *SAVE]) == 1
+    run("run", path, *SAVE, code=1)
     found = read_arrangement(str(tmp_path / "counterexamples" / "few.json"))
     least = min(m for m in range(3, 6) for p in census(m) if p.f_vector[3] > 12)
     assert len(found) == least
     assert found.f_vector[3] > 12
 
 
-def test_an_error_in_the_function_gives_no_verdict(write, capsys):
+def test_an_error_in_the_function_gives_no_verdict(write, run):
     path = write('@claim("s", samples=5)\ndef f(p): return 1 // (len(p) - 4) < 9\n')
-    assert main(["run", path, "--json"]) == 3
-    (result,) = json.loads(capsys.readouterr().out)["results"]
+    (result,) = run.json("run", path, code=3)["results"]
     assert result["verdict"] is None
     assert "ZeroDivisionError" in result["counterexample"]["note"]
 
@@ -139,10 +134,9 @@ def test_instances_outside_hypothesis_skipped_and_counted():
     assert evaluate(nothing).verdict is None
 
 
-def test_a_claim_that_is_checked_on_nothing_has_no_verdict(write, capsys):
+def test_a_claim_that_is_checked_on_nothing_has_no_verdict(write, run):
     path = write('@claim("s", classes=0, families=False, samples=0)\ndef f(p): return True\n')
-    assert main(["run", path, "--json"]) == 3
-    (result,) = json.loads(capsys.readouterr().out)["results"]
+    (result,) = run.json("run", path, code=3)["results"]
     assert (result["verdict"], result["evidence"]) == (None, "no case was checked")
 
 
@@ -201,20 +195,17 @@ def test_what_a_domain_draws_belongs_to_it(name):
     assert all(chosen.contains(case.subject) for case in known_families(chosen))
 
 
-def test_a_new_file_runs_and_is_never_written_over(tmp_path, monkeypatch, capsys):
+def test_a_new_file_runs_and_is_never_written_over(tmp_path, monkeypatch, run, refused):
     monkeypatch.chdir(tmp_path)
-    assert main(["new", "my paper"]) == 0
-    assert "proofs-check run 'my paper.py'" in capsys.readouterr().out
+    assert "proofs-check run 'my paper.py'" in run("new", "my paper")
     text = Path("my paper.py").read_text(encoding="utf-8")
     assert "proofs-check run my paper.py" in text
-    assert main(["run", "my paper.py", "--json", "--classes", "3..4"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = run.json("run {} --classes 3..4", "my paper.py")
     assert [r["verdict"] for r in found["results"]] == ["holds", "holds", "refuted"]
     assert found["title"] == "Claims of my own"
     assert found["command"].startswith("proofs-check run 'my paper.py'")
     Path("my paper.py").write_text("mine\n", encoding="utf-8")
-    assert main(["new", "my paper.py"]) == 2
-    assert "is there already" in capsys.readouterr().err
+    assert "is there already" in refused("new", "my paper.py")
     assert Path("my paper.py").read_text(encoding="utf-8") == "mine\n"
 
 
@@ -226,10 +217,10 @@ def test_a_new_file_runs_and_is_never_written_over(tmp_path, monkeypatch, capsys
         ("two_fingers", ["holds", "refuted"]),
     ],
 )
-def test_claims_of_other_papers_have_their_verdicts(name, verdicts, tmp_path, monkeypatch):
+def test_claims_of_other_papers_have_their_verdicts(name, verdicts, tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
     example = files("proofs_check.examples") / f"{name}.py"
-    assert main(["report", str(example), "-o", "r.json", "--samples", "50"]) == 0
+    run("report {} -o r.json --samples 50", example)
     found = json.loads(Path("r.json").read_text(encoding="utf-8"))
     assert [r["verdict"] for r in found["results"]] == verdicts
     assert len(found["results"][0]["routes"]) == 2
@@ -241,12 +232,10 @@ def test_claims_of_other_papers_have_their_verdicts(name, verdicts, tmp_path, mo
 @pytest.mark.parametrize(
     ("name", "verdicts"), [("gaps", ["refuted"]), ("survey", ["holds", "refuted"])]
 )
-def test_examples_are_written_and_run(name, verdicts, tmp_path, monkeypatch, capsys):
+def test_examples_are_written_and_run(name, verdicts, tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
-    assert main(["new", "mine", "--example", name]) == 0
-    assert "proofs-check run mine.py" in capsys.readouterr().out
-    assert main(["run", "mine.py", "--json", "--samples", "30"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    assert "proofs-check run mine.py" in run("new mine --example", name)
+    found = run.json("run mine.py --samples 30")
     assert [r["verdict"] for r in found["results"]] == verdicts
 
 
@@ -255,7 +244,7 @@ def test_every_example_can_be_written():
     assert {*EXAMPLES} == {x.name[:-3] for x in folder if x.name.endswith(".py")} - {"__init__"}
 
 
-def test_disagreeing_implementations_give_no_verdict(write, capsys):
+def test_disagreeing_implementations_give_no_verdict(write, run):
     path = write(
         "from arrangement.library.families import generic\n"
         "listed = {'three': generic(3), 'four': generic(4)}\n"
@@ -268,8 +257,7 @@ def test_disagreeing_implementations_give_no_verdict(write, capsys):
         '@claim("raises", of=listed, routes=[len, fails])\n'
         "def raises(p, m): return m < 9\n"
     )
-    assert main(["run", path]) == 3
-    out = " ".join(capsys.readouterr().out.split())
+    out = " ".join(run("run", path, code=3).split())
     assert out.count("verdict no verdict evidence") == 2
     assert "the implementations disagree on four, planes (1,1,1)" in out
     assert ": 4 and 5" in out
@@ -288,15 +276,14 @@ def test_disagreeing_implementations_give_no_verdict(write, capsys):
         ("len(p) == 4 or 'a reason'", "a reason"),
     ],
 )
-def test_a_false_comparison_shows_both_sides(write, capsys, returned, text):
+def test_a_false_comparison_shows_both_sides(write, run, returned, text):
     path = write(f'@claim("s", classes=3, samples=0)\ndef f(p):\n    return {returned}\n')
-    assert main(["run", path, "--json"]) == 1
-    (result,) = json.loads(capsys.readouterr().out)["results"]
+    (result,) = run.json("run", path, code=1)["results"]
     assert result["verdict"] == "refuted"
     assert result["counterexample"]["note"] == text
 
 
-def test_comparisons_outside_of_claims_stay_what_they_are(write, capsys):
+def test_comparisons_outside_of_claims_stay_what_they_are(write, run):
     path = write(
         "def small(p):\n    return len(p) < 3\n"
         '@claim("s", classes=3, samples=0, families=False)\n'
@@ -304,10 +291,10 @@ def test_comparisons_outside_of_claims_stay_what_they_are(write, capsys):
         "    def inner():\n        return len(p) < 3\n"
         "    return small(p) is False and type(inner()) is bool\n"
     )
-    assert main(["run", path]) == 0
+    run("run", path)
 
 
-def test_a_long_case_shows_the_loops_inside(write, monkeypatch, capsys):
+def test_a_long_case_shows_the_loops_inside(write, monkeypatch, run):
     monkeypatch.setattr(progress, "_FIRST", 0.0)
     path = write(
         "from arrangement.console.progress import note, watched\n"
@@ -316,8 +303,8 @@ def test_a_long_case_shows_the_loops_inside(write, monkeypatch, capsys):
         "    note('not for every case')\n"
         "    return len(list(watched(range(5), 'things'))) == 5\n"
     )
-    assert main(["run", path]) == 0
-    err = capsys.readouterr().err
+    run("run", path)
+    err = run.err
     assert "1/5 things" in err
     assert "not for every case" not in err
 
@@ -354,7 +341,7 @@ def test_own_packages_are_never_taken_from_a_folder():
         assert finder.find_spec(name, None) is None
 
 
-def test_integers_of_libraries_are_integers(write):
+def test_integers_of_libraries_are_integers(write, run):
     path = write(
         "import numpy, sympy\n"
         "def a(p): return numpy.int64(len(p))\n"
@@ -362,7 +349,7 @@ def test_integers_of_libraries_are_integers(write):
         '@claim("s", routes=[a, b], classes=3, samples=0, families=False)\n'
         "def f(p, m): return type(m) is int\n"
     )
-    assert main(["run", path]) == 0
+    run("run", path)
 
 
 @pytest.mark.parametrize(
@@ -395,10 +382,9 @@ def test_integers_of_libraries_are_integers(write):
         ("rank == 3 and central and min(f_vector) != abs(-1)", [], 1),
     ],
 )
-def test_a_claim_in_one_line_has_its_verdict(statement, options, code, write, capsys):
+def test_a_claim_in_one_line_has_its_verdict(statement, options, code, write, run):
     numbers = ["--classes", "3..5", "--samples", "6"]
-    assert main(["try", statement, *options, *numbers, *SAVE, "--json"]) == code
-    found = json.loads(capsys.readouterr().out)["results"][0]
+    found = run.json("try", statement, *options, *numbers, *SAVE, code=code)["results"][0]
     assert found["verdict"] == ("refuted" if code else "holds")
     finite = (
         "holds in all cases" if found["over"].endswith("members") else "no counterexample found"
@@ -408,24 +394,21 @@ def test_a_claim_in_one_line_has_its_verdict(statement, options, code, write, ca
     assert not code or "is false" in found["counterexample"]["note"]
 
 
-def test_zero_bounded_regions_are_explained(write, capsys):
+def test_zero_bounded_regions_are_explained(write, run):
     options = ["--of", "linial(n=3..4)", "--json"]
-    assert main(["try", "relatively_bounded_regions >= 1", *options]) == 0
-    capsys.readouterr()
+    run("try", "relatively_bounded_regions >= 1", *options)
     path = write(
         '@claim("s", of="linial(n=3..4)")\ndef f(p):\n    return len(p.bounded_regions()) == 1\n'
     )
     for words in (["try", "bounded_regions == 1", *options], ["run", path, "--json"]):
-        assert main(words) == 1
-        note = json.loads(capsys.readouterr().out)["results"][0]["counterexample"]["note"]
+        note = json.loads(run(*words, code=1))["results"][0]["counterexample"]["note"]
         assert "is false: 0 and 1 (every region contains a line, as the normals span 2 of 3" in note
         assert "relatively_bounded_regions" in note
 
 
 @pytest.mark.parametrize("name", ["affine", "simple-affine"])
-def test_affine_domain_without_dimension_is_refused(name, capsys):
-    assert main(["try", "regions > 0", "--of", name]) == 2
-    assert f"{name}(d=2) for lines" in capsys.readouterr().err
+def test_affine_domain_without_dimension_is_refused(name, refused):
+    assert f"{name}(d=2) for lines" in refused("try {} --of", "regions > 0", name)
 
 
 def test_lines_are_tried_on_every_type():
@@ -438,38 +421,30 @@ def test_lines_are_tried_on_every_type():
     assert (min(triangles), max(triangles)) == (3, 5)  # Roberts, and Kobon
 
 
-def test_one_claim_named_and_failing_one_keeps_others(write, capsys):
+def test_one_claim_named_and_failing_one_keeps_others(write, run, refused):
     head = '@claim("?", of="simple", samples=2, classes=3'
     body = (
         f"{head})\ndef nothing(p): return None\n{head})\ndef good(p): return len(p) > 0\n"
         f"{head}, when=lambda p: p.none)\ndef vain(p): return True\n"
     )
     path = write(body)
-    assert main(["run", path]) == 2
-    printed = capsys.readouterr()
-    assert "verdict    no counterexample found (" in printed.out
-    assert "nothing: no verdict: nothing returned None" in printed.err
-    assert "vain: no verdict: the hypothesis" in printed.err
-    assert printed.err.endswith("error: 2 of 3 claims have no verdict\n")
-    assert main(["run", f"{path}:good", "--json"]) == 0
-    assert [one["id"] for one in json.loads(capsys.readouterr().out)["results"]] == ["good"]
-    assert main(["list", f"{path}:good"]) == 0
-    assert main(["list", path, "--json"]) == 0
-    capsys.readouterr()
-    assert main(["report", path]) == 2
-    printed = capsys.readouterr()
-    assert "good" in printed.out
-    assert printed.err.endswith("error: 2 of 3 claims have no verdict\n")
-    assert main(["report", f"{path}:good"]) == 0
-    assert capsys.readouterr().out.count("no counterexample found (") == 2
+    assert "verdict    no counterexample found (" in run("run", path, code=2)
+    assert "nothing: no verdict: nothing returned None" in run.err
+    assert "vain: no verdict: the hypothesis" in run.err
+    assert run.err.endswith("error: 2 of 3 claims have no verdict\n")
+    assert [one["id"] for one in run.json("run", f"{path}:good")["results"]] == ["good"]
+    run("list", f"{path}:good")
+    run("list {} --json", path)
+    assert "good" in run("report", path, code=2)
+    assert run.err.endswith("error: 2 of 3 claims have no verdict\n")
+    assert run("report", f"{path}:good").count("no counterexample found (") == 2
     for words, message in {
         ("run", f"{path}:nothing"): "error: nothing returned None",
         ("report", f"{path}:nothing"): "error: nothing returned None",
         ("run", f"{path}:god"): "did you mean good?",
         ("list", "good"): "no claim has the id 'good'",
     }.items():
-        assert main(list(words)) == 2
-        assert message in capsys.readouterr().err
+        assert message in refused(*words)
 
 
 @pytest.mark.parametrize(
