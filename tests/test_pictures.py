@@ -467,7 +467,7 @@ def label_boxes(made: Scene, pixels: Pixels) -> Iterator[tuple[str, slice, slice
     scale = len(pixels) / made.height
     for item in made.items:
         if isinstance(item, Label):
-            w, h = made.measure(item.text, item.size, item.rotation)
+            w, h = measure(item.text, item.size, item.rotation)
             left = {"left": 0.0, "center": 0.5, "right": 1.0}[item.ha] * w
             low = {"bottom": 0.0, "top": 1.0}.get(item.va, 0.5) * h
             x, y = item.place[0] - left, made.height - (item.place[1] - low)

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from arrangement.drawing.scene import FONT, Box, Floats, Place, Scene
+from arrangement.drawing.scene import FONT, Box, Floats, Place, Scene, measure
 from arrangement.numbers import exact
 
 #: For half the width and half the height of a label, its centres (k, 2), the best first.
@@ -247,7 +247,7 @@ def write_if_free(
         style: of the text, see `scene`.
     """
     for size, text in product(sizes, texts):
-        half = np.array(scene.measure(text, size)) / 2
+        half = np.array(measure(text, size)) / 2
         centres = places(half)
         if off is not None:
             centres = centres[~covering(off, np.hstack([centres - half, centres + half]))]
@@ -280,7 +280,7 @@ class Labels:
         """Write a text at one of its places."""
         import shapely
 
-        half = np.array([self.scene.measure(text)[0], FONT]) / 2
+        half = np.array([measure(text)[0], FONT]) / 2
         centres, room = places(half), half + np.array([1.0, 0.5])
         low, high = centres - room, centres + room
         others = np.array(self.scene.boxes).reshape(-1, 2, 2)

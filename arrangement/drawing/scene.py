@@ -516,15 +516,6 @@ class Scene:
         grown.maps = [lengths.on_sheet(0.0, 0.0, factor) for lengths in self.maps]
         return grown
 
-    def measure(self, text: str, size: float = FONT, rotation: float = 0.0) -> tuple[float, float]:
-        """Return the width and height of a text, in points."""
-        return measure(text, size, rotation)
-
-    def box(self, at: Place, text: str, size: float, rotation: float = 0.0) -> Box:
-        """Return the box of a text centred at a point."""
-        w, h = self.measure(text, size, rotation)
-        return (at[0] - w / 2, at[1] - h / 2, at[0] + w / 2, at[1] + h / 2)
-
     def is_free(self, box: Box) -> bool:
         """Return whether a box is on the sheet and covers no label."""
         left, bottom, right, top = box
@@ -556,7 +547,7 @@ class Scene:
             rotation: in degrees.
             style: see the module.
         """
-        w, h = self.measure(text, size, rotation)
+        w, h = measure(text, size, rotation)
         x, y = at[0] + (0.5 - anchor[0]) * w, at[1] + (0.5 - anchor[1]) * h
         box = (x - w / 2, y - h / 2, x + w / 2, y + h / 2)
         if not self.is_free(box):

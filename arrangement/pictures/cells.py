@@ -40,7 +40,6 @@ from arrangement.pictures.coordinates import (
     in_coordinates,
     in_view_space,
     planes_view,
-    point_map,
 )
 from arrangement.pictures.looks import ColoursOption, looks_of_classes, read_looks
 from arrangement.pictures.names import Labels, RegionLabels, equation, generator_text, plane_names
@@ -98,8 +97,7 @@ def draw_cells(
     """
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
-    moved = point_map(coordinates, arrangement)
-    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    arrangement, camera, moved = in_coordinates(coordinates, arrangement, camera)
     cells = _cells(arrangement, body, centre, radius, explode)
     towards = clear_sight(cells) if camera is None else view_direction(camera)
     stage = Stage(cells, turn_view(towards, azimuth))
@@ -276,7 +274,7 @@ def cells_model(
     half = millimetres(size, "size") / 2
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
-    arrangement, _ = in_coordinates(coordinates, in_view_space(arrangement, "cells"))
+    arrangement, *_ = in_coordinates(coordinates, in_view_space(arrangement, "cells"))
     cells = cut_cells(arrangement, body, centre, radius)
     points = unit_points(cells) * half
     parts = [_part(cells, cell, points, explode - 1, paint or fills) for cell in cells.cells]

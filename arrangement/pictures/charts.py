@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations
 from typing import Any
 
@@ -13,18 +15,19 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.drawing.colours import Choice, DrawnRegion, Painter
 from arrangement.drawing.labels import SIZES, beside, inside, keep_off, write_if_free
-from arrangement.drawing.scene import Box, Floats, Scene, along, curve_points, ring
-from arrangement.drawing.solids.sight import best_view, picture_axes, unit_vectors, views
+from arrangement.drawing.scene import Box, Floats, Scene, along, area, curve_points, ring
+from arrangement.drawing.solids.flat_polygons import between, clip_polygon
+from arrangement.drawing.solids.sight import best_view, picture_axes, unit, unit_vectors, views
 from arrangement.drawing.views import Vector
+from arrangement.enumeration.great_circles import SphereArrangement
 from arrangement.errors import InputError, extra
 from arrangement.numbers import budget
-from arrangement.numbers.exact import IntegerVector, dot, reduced, unoriented
-from arrangement.numbers.linear.rank import cross
-from arrangement.pictures.coordinates import in_coordinates, planes_view, point_map, symmetry
+from arrangement.numbers.exact import IntegerVector, dot, reduced, sign, unoriented
+from arrangement.numbers.linear.rank import cross, cycle_edges
+from arrangement.pictures.coordinates import in_coordinates, planes_view, symmetry
 from arrangement.pictures.globe import (
     HIDDEN,
     LINE_WIDTH,
-    CutChart,
     Disc,
     Drawn,
     Globe,
@@ -84,8 +87,7 @@ def draw_stereographic(
             the whole is asked for and the direction lies on a plane.
     """
     names = RegionLabels(arrangement, labels, items="circles")
-    moved = point_map(coordinates, arrangement)
-    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    arrangement, camera, moved = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera)
     if camera is None and whole is not False:
         # The direction that keeps farthest from all planes.
@@ -219,7 +221,10 @@ def _farthest(globe: Globe) -> float:
     return float(((1 + np.sqrt(np.maximum(0, 1 - heights**2))) / heights).max())
 
 
+#: Up to this many lines have names at both ends.
 _BOTH_ENDS = 16
+#: Parts of regions with a smaller area are not drawn; the disc has radius 1.
+_LEAST = 1e-9
 
 
 @planes_view("gnomonic")
@@ -254,8 +259,7 @@ def draw_gnomonic(
         InputError: another space, planes off the origin, too many circles, unknown colouring.
     """
     names = RegionLabels(arrangement, labels, items="lines")
-    moved = point_map(coordinates, arrangement)
-    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    arrangement, camera, moved = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera)
     if camera is None:
         globe = _upright(Globe(arrangement, _central_direction(globe)))
@@ -263,8 +267,7 @@ def draw_gnomonic(
     chart = _cut(globe)
     disc = alone(globe, chart, names, width)
     disc.map_points(moved)
-    disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS)
-    shown = [r for piece, r in globe.front.items() if len(chart.outline(piece))]
+    shown, _ = disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS)
     explain_regions(disc.scene, colours, names, shown)
     disc.scene.circle(disc.centre, disc.radius, fill=False, ec="black", lw=0.6, gid="border")
     whole = globe.whole.arrangement
@@ -277,6 +280,127 @@ def draw_gnomonic(
     return disc.scene
 
 
+class StraightChart:
+    """Great circles as lines of a plane, cut off exactly at the edges of a convex window.
+
+    Points are homogeneous, and finite: they are on one side of the circle at infinity.
+
+    Attributes:
+        sphere: the arrangement, with the circle at infinity.
+        rows: for each circle integers of a linear form, 0 on its line, with the signs of its
+            normal.
+        corners: of the window, counter-clockwise.
+    """
+
+    def __init__(
+        self,
+        sphere: SphereArrangement,
+        rows: Sequence[IntegerVector],
+        corners: Sequence[IntegerVector],
+    ) -> None:
+        self.sphere, self.incidence = sphere, sphere.incidence
+        self.rows, self.corners = rows, corners
+
+    def outline(self, region: int) -> Floats:
+        """Return the corners of the part of a region in the window."""
+        return plane_points(self._clip(self.corners, region))
+
+    def edge(self, arc: int) -> Floats:
+        """Return the ends of the part of an arc in the window, (2, 2)."""
+        ends = self._chords[int(self.incidence.arc_circle[arc])]
+        region = int(self.incidence.region[2 * arc])
+        return plane_points(dict.fromkeys(self._clip(ends, region)))
+
+    def line(self, circle: int) -> Floats:
+        """Return the ends of a line at the boundary of the window, (2, 2)."""
+        return plane_points(self._chords[circle])
+
+    @cached_property
+    def _chords(self) -> list[list[IntegerVector]]:
+        """The ends of each line at the boundary of the window, or nothing."""
+        chords = []
+        for row in self.rows:
+            values = [dot(row, p) for p in self.corners]
+            ends: list[IntegerVector] = []
+            for (p, q), (at_p, at_q) in zip(
+                cycle_edges(self.corners), cycle_edges(values), strict=True
+            ):
+                if at_p == 0:
+                    ends.append(p)
+                elif at_p * at_q < 0:
+                    ends.append(between(p, q, at_p, at_q))
+            chords.append(ends)
+        return chords
+
+    def _clip(self, loop: Sequence[IntegerVector], region: int) -> Sequence[IntegerVector]:
+        """Return the part of a convex polygon in the closure of a region."""
+        inside = self.sphere.region_witness(region)
+        for circle in self.incidence.arc_circle[self.incidence.boundary(region) >> 1].tolist():
+            side = sign(dot(self.sphere.circle_normals[circle], inside))
+            loop = clip_polygon(loop, [side * dot(self.rows[circle], p) for p in loop])
+        return loop
+
+
+def plane_points(points: Iterable[IntegerVector]) -> Floats:
+    """Return finite homogeneous points of a plane in floats, (k, 2)."""
+    return np.array([[float(x / w), float(y / w)] for x, y, w in points]).reshape(-1, 2)
+
+
+#: One over the rounding of unit vectors.
+_GRID = 1 << 40
+
+
+@dataclass(frozen=True)
+class CutChart(Drawn):
+    """A gnomonic chart, to scale and with straight lines, cut off at a circle.
+
+    Attributes:
+        reach: the radius of the part that is shown, in radii of the sphere.
+    """
+
+    reach: float
+
+    @cached_property
+    def straight(self) -> StraightChart:
+        """The chart in units of the part that is shown, with a polygon for the circle."""
+        normals = unit(self.normals * [self.reach, self.reach, 1.0])
+        rim = np.insert(ring((0, 0), 1.0)[:-1], 2, 1.0, axis=1)
+        rows, corners = (
+            [tuple(row) for row in np.rint(_GRID * vectors).astype(int).tolist()]
+            for vectors in (normals, rim)
+        )
+        return StraightChart(self.sphere, rows, corners)
+
+    def place(self, point: Floats) -> Floats:
+        """Return the place of a unit vector, or of its antipode, which is the same point here."""
+        spot: Floats = point[:2] / point[2] / self.reach
+        return spot
+
+    def arc(self, arc: int) -> Floats:
+        """Return the part of an arc that is shown; nothing if there is none, or at infinity."""
+        ends = self.straight.edge(arc)
+        return straight_curves(ends) if len(ends) == 2 else np.empty((0, 2))
+
+    def outline(self, region: int) -> Floats:
+        """Return the boundary of the part of a region that is shown, or nothing."""
+        corners = self.straight.outline(region)
+        seen = len(corners) > 2 and area(corners) > _LEAST
+        return straight_curves(corners[[*range(len(corners)), 0]]) if seen else np.empty((0, 2))
+
+    def ends(self, circle: int) -> tuple[float, ...]:
+        """Return the angles at which a line leaves what is shown, if it is in it."""
+        return tuple(
+            math.atan2(y, x) % (2 * math.pi) for x, y in self.straight.line(circle).tolist()
+        )
+
+
+def straight_curves(points: Floats) -> Floats:
+    """Return the control points of cubic curves that are straight from point to point."""
+    steps = np.diff(points, axis=0) / 3
+    thirds = np.stack([points[:-1] + steps, points[1:] - steps, points[1:]], axis=1)
+    return np.concatenate([points[:1], thirds.reshape(-1, 2)])
+
+
 def _cut(globe: Globe) -> CutChart:
     """Return the chart around most crossings: all of them, where none is far away."""
     inside = globe.points[globe.points[:, 2] > 1e-9]
@@ -286,8 +410,7 @@ def _cut(globe: Globe) -> CutChart:
     farthest = float(spans.max(initial=nearest))
     typical = float(np.quantile(spans, 0.75)) if len(spans) else nearest
     reach = max(0.5, 1.3 * farthest if farthest <= 3 * typical else 1.2 * typical)
-    chart = Drawn(globe.cut, globe.points, globe.normals, orthographic)
-    return CutChart(**vars(chart), limb=globe.limb, reach=reach)
+    return CutChart(globe.cut, globe.points, globe.normals, orthographic, reach)
 
 
 def _upright(globe: Globe) -> Globe:

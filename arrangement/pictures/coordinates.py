@@ -223,8 +223,8 @@ class Symmetry:
 
 def in_coordinates(
     coordinates: str | None, arrangement: Arrangement, direction: Vector | None = None
-) -> tuple[Arrangement, Vector | None]:
-    """Return planes in the coordinates in which they are drawn, and a direction in the same.
+) -> tuple[Arrangement, Vector | None, Callable[[Floats], Floats]]:
+    """Return planes in the coordinates in which they are drawn, a direction, and a map of points.
 
     Args:
         coordinates: "given"; "symmetric", in which the maps that permute the planes are rotations
@@ -234,7 +234,7 @@ def in_coordinates(
             origin have symmetric ones if they are those of a root system (see `root_map`).
         arrangement: planes in R^3, lines in R^2, or central planes of full rank in any space; other
             ones are returned as they are.
-        direction: of points, in given coordinates.
+        direction: of points, in given coordinates, from which the map of points is, too.
 
     >>> skew = Arrangement([[1, 0, 0], [1, 1, 0], [1, 1, 1]])
     >>> in_coordinates("symmetric", skew)[0].f_vector == skew.f_vector
@@ -242,35 +242,17 @@ def in_coordinates(
     """
     matrix = coordinate_map(coordinates, arrangement)
     if matrix is None:
-        return arrangement, direction
-    moved, rows = apply_map(matrix, arrangement)
+        return arrangement, direction, lambda point: point
+    rows, scale = rounded_map(matrix, 1 << 10)
+    moved = apply_map(rows, scale, arrangement)
     if direction is not None and len(rows) == 3:
         given = real_vector(direction, "camera")
         if len(given) == 3:
             one, two, three = rows
             cofactors = (cross(two, three), cross(three, one), cross(one, two))
             direction = [dot(row, given) for row in cofactors]
-    return moved, direction
-
-
-def point_map(coordinates: str | None, arrangement: Arrangement) -> Callable[[Floats], Floats]:
-    """Return the map of points that goes with `in_coordinates`; it is found at its first use."""
-
-    @functools.cache
-    def matrix() -> Floats | None:
-        normals = coordinate_map(coordinates, arrangement)
-        if normals is None:
-            return None
-        rows, scale = rounded_map(normals, 1 << 10)
-        inverse: Floats = scale * np.linalg.inv(np.array(rows, float)).T
-        return inverse
-
-    def moved(point: Floats) -> Floats:
-        chosen = matrix()
-        inverse: Floats = point if chosen is None else chosen @ point
-        return inverse
-
-    return moved
+    inverse: Floats = scale * np.linalg.inv(np.array(rows, float)).T
+    return moved, direction, lambda point: np.asarray(inverse @ point)
 
 
 def coordinate_map(coordinates: str | None, arrangement: Arrangement) -> Floats | None:
@@ -295,15 +277,13 @@ def coordinate_map(coordinates: str | None, arrangement: Arrangement) -> Floats 
     return matrix
 
 
-def apply_map(matrix: Floats, planes: Planes) -> tuple[Arrangement, list[IntegerVector]]:
-    """Return planes whose normals are multiplied by a matrix, and the matrix, rounded."""
-    rows, scale = rounded_map(matrix, 1 << 10)
-    moved = Arrangement(
+def apply_map(rows: Sequence[IntegerVector], scale: int, planes: Planes) -> Arrangement:
+    """Return planes whose normals are multiplied by an integer matrix over a scale."""
+    return Arrangement(
         [[dot(row, plane[:-1]) for row in rows] for plane in planes.integer_planes],
         [scale * offset for offset in planes.offsets],
         names=planes.names,
     )
-    return moved, rows
 
 
 def root_map(arrangement: Planes) -> Floats | None:

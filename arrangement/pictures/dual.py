@@ -31,7 +31,6 @@ from arrangement.pictures.coordinates import (
     in_coordinates,
     in_view_space,
     planes_view,
-    point_map,
     symmetry,
 )
 from arrangement.pictures.globe import (
@@ -195,7 +194,7 @@ def symmetric_diagram(arrangement: Arrangement, coordinates: str | None) -> Schl
         OutOfReachError: more regions than a picture can show.
     """
     budget.check_size(region_count(arrangement), "regions in a picture")
-    arrangement, _ = in_coordinates(coordinates, arrangement)
+    arrangement, *_ = in_coordinates(coordinates, arrangement)
     group = symmetry(arrangement)
     units = unit_vectors([plane[:-1] for plane in arrangement.distinct_planes])
 
@@ -279,8 +278,7 @@ def draw_dual(
     if coordinates is None and hull:
         coordinates = "given"
     names = RegionLabels(arrangement, labels, items="circles")
-    moved = point_map(coordinates, arrangement)
-    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    arrangement, camera, moved = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera)
     if camera is None and not hull:
         globe = Globe(arrangement, _oblique_direction(globe))
@@ -505,7 +503,7 @@ def dual_model(
     arrangement, length = in_view_space(arrangement, "dual", DUAL_MODEL), millimetres(size, "size")
     if arrangement.rank == 4:
         return schlegel_model(arrangement, suffix, length, explode, coordinates)
-    arrangement, _ = in_coordinates(coordinates, arrangement)
+    arrangement, *_ = in_coordinates(coordinates, arrangement)
     lengths = None if coordinates == "given" else unit_lengths(arrangement)
     dual = dual_polyhedron(arrangement, lengths)
     colours = tuple(side_colour(len(face)) for face in dual.faces)

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from typing import Any, TypeAlias
 
@@ -45,7 +45,7 @@ from arrangement.drawing.scene import (
     arrow,
     cubic_curves,
     curve_points,
-    ring,
+    measure,
 )
 from arrangement.drawing.solids.sight import (
     Score,
@@ -72,7 +72,6 @@ from arrangement.pictures.coordinates import (
     in_coordinates,
     orbits,
     planes_view,
-    point_map,
     within_reach,
 )
 from arrangement.pictures.names import (
@@ -86,6 +85,9 @@ from arrangement.pictures.names import (
 from arrangement.planes.planes import Planes
 
 Projection: TypeAlias = Callable[[Floats, Floats, float], Floats]
+
+#: Unit normals whose part across the view is shorter are that of the limb.
+_ACROSS = 1e-9
 
 
 def orthographic(normal: Floats, start: Floats, angle: float) -> Floats:
@@ -136,35 +138,30 @@ class Drawn:
     points: Floats
     normals: Floats
     projection: Projection
+    _arcs: dict[int, Floats] = field(default_factory=dict, init=False, repr=False)
 
     def place(self, point: Floats) -> Floats:
         """Return the place of a unit vector in the axes of the picture."""
         spot: Floats = self.projection(across(point), point, 1e-3)[0]
         return spot
 
-    @cached_property
-    def _arcs(self) -> dict[int, Floats]:
-        return {}
-
     def arc(self, arc: int) -> Floats:
         """Return the control points (3k + 1, 2) of an arc."""
         if arc not in self._arcs:
-            self._arcs[arc] = self._arc(arc)
+            start, stop = self.sphere.incidence.origin[2 * arc : 2 * arc + 2].tolist()
+            normal = self.normals[int(self.sphere.incidence.arc_circle[arc])]
+            p, angle = across(normal), 2 * math.pi
+            if start >= 0:
+                p, q = self.points[[start, stop]]
+                angle = math.atan2(math.hypot(*cross(p.tolist(), q.tolist())), float(p @ q))
+            self._arcs[arc] = self.projection(normal, p, angle)
         return self._arcs[arc]
 
-    def _arc(self, arc: int) -> Floats:
-        incidence = self.sphere.incidence
-        normal = self.normals[int(incidence.arc_circle[arc])]
-        start, stop = incidence.origin[2 * arc], incidence.origin[2 * arc + 1]
-        if start < 0:
-            return self.projection(normal, across(normal), 2 * math.pi)
-        p, q = self.points[start], self.points[stop]
-        angle = math.atan2(math.hypot(*cross(p.tolist(), q.tolist())), float(p @ q))
-        return self.projection(normal, p, angle)
-
     def ends(self, circle: int) -> tuple[float, ...]:
-        """Return the two angles at which a circle meets the limb, opposite to each other."""
+        """Return the two angles at which a circle meets the limb; of the limb, one to name it."""
         x, y, _ = self.normals[circle]
+        if math.hypot(x, y) < _ACROSS:
+            return (0.25,)
         angle = math.atan2(x, -y)
         return angle % (2 * math.pi), (angle + math.pi) % (2 * math.pi)
 
@@ -175,99 +172,6 @@ class Drawn:
             curve = self.arc(half_edge >> 1)
             curves.append(curve[::-1] if half_edge & 1 else curve)
         return np.concatenate([curves[0], *(curve[1:] for curve in curves[1:])])
-
-
-@dataclass(frozen=True)
-class CutChart(Drawn):
-    """A chart to scale, with straight lines, cut off at a circle; infinity is left out.
-
-    Attributes:
-        limb: the circle at infinity.
-        reach: the radius of the part that is shown, in radii of the sphere.
-    """
-
-    limb: int
-    reach: float
-
-    def place(self, point: Floats) -> Floats:
-        """Return the place of a unit vector, or of its antipode, which is the same point here."""
-        spot: Floats = point[:2] / point[2] / self.reach
-        return spot
-
-    @cached_property
-    def _far(self) -> float:
-        """A distance beyond all vertices, in units of the part that is shown."""
-        front = self.points[self.points[:, 2] > 1e-9]
-        spans = np.linalg.norm(front[:, :2] / front[:, 2:], axis=1) / self.reach
-        return 4 * max(10.0, float(spans.max(initial=0.0)))
-
-    def _line(self, circle: int) -> tuple[Floats, Floats]:
-        """Return the point of a line nearest to the middle, and its direction."""
-        a, b, c = self.normals[circle]
-        length = math.hypot(a, b)
-        return -c / length / self.reach * np.array([a, b]) / length, np.array([-b, a]) / length
-
-    def _place(self, vertex: int, circle: int) -> Floats:
-        """Return where a vertex is on a line; far away if it is at infinity."""
-        x, y, z = self.points[vertex]
-        if z > 1e-9:
-            return np.array([x / z, y / z]) / self.reach
-        foot, way = self._line(circle)
-        return foot + math.copysign(self._far, float(np.array([x, y]) @ way)) * way
-
-    def _ends(self, arc: int) -> list[Floats]:
-        """Return the ends of an arc, and points between them if it is a part of infinity."""
-        start, stop = self.sphere.incidence.origin[2 * arc : 2 * arc + 2].tolist()
-        circle = int(self.sphere.incidence.arc_circle[arc])
-        if circle != self.limb:
-            return [self._place(start, circle), self._place(stop, circle)]
-        normal = self.normals[circle]
-        begin = across(normal) if start < 0 else self.points[start]
-        sweep = 2 * math.pi
-        if start >= 0:
-            one, two = (math.atan2(*self.points[v][1::-1]) for v in (start, stop))
-            sweep = math.copysign(1.0, normal[2]) * (two - one) % (2 * math.pi)
-        return list(self._far * _points(normal, begin, sweep, math.pi / 8)[0][:, :2])
-
-    def _arc(self, arc: int) -> Floats:
-        """Return the part of an arc that is shown; nothing if there is none, or at infinity."""
-        if int(self.sphere.incidence.arc_circle[arc]) == self.limb:
-            return np.empty((0, 2))
-        start, stop = self._ends(arc)
-        foot, way = self._line(int(self.sphere.incidence.arc_circle[arc]))
-        half = math.sqrt(max(0.0, 1 - float(foot @ foot)))
-        low, high = sorted(max(-half, min(half, float((p - foot) @ way))) for p in (start, stop))
-        if high - low < 1e-9:
-            return np.empty((0, 2))
-        ends = foot + np.array([[low], [high]]) * way
-        return cubic_curves(ends, np.tile((ends[1] - ends[0]) / 3, (2, 1)))
-
-    def outline(self, region: int) -> Floats:
-        """Return the boundary of the part of a region that is shown, or nothing."""
-        import shapely
-
-        corners: list[Floats] = []
-        for half_edge in self.sphere.incidence.boundary(region).tolist():
-            ends = self._ends(half_edge >> 1)
-            corners += ends[::-1] if half_edge & 1 else ends
-        seen = shapely.Polygon(corners).buffer(0).intersection(shapely.Polygon(ring((0, 0), 1.0)))
-        if seen.area < 1e-9:
-            return np.empty((0, 2))
-        edge = shapely.get_coordinates(seen)
-        steps = np.diff(edge, axis=0) / 3
-        handles = np.stack([edge[:-1] + steps, edge[1:] - steps, edge[1:]], axis=1)
-        return np.concatenate([edge[:1], handles.reshape(-1, 2)])
-
-    def ends(self, circle: int) -> tuple[float, ...]:
-        """Return the angles at which a line leaves what is shown, if it is in it."""
-        if circle == self.limb:
-            return ()
-        foot, way = self._line(circle)
-        half = 1 - float(foot @ foot)
-        if half <= 0:
-            return ()
-        tips = (foot + sign * math.sqrt(half) * way for sign in (1, -1))
-        return tuple(math.atan2(y, x) % (2 * math.pi) for x, y in tips)
 
 
 def _points(normal: Floats, start: Floats, angle: float, most: float) -> tuple[Floats, Floats]:
@@ -459,13 +363,13 @@ class Disc:
         both_ends: bool = False,
         avoid: Sequence[Floats] = (),
         within: Box | None = None,
-    ) -> list[Floats]:
-        """Draw everything, labels of regions off the lines `avoid`; return all lines, (k, 2)."""
+    ) -> tuple[list[DrawnRegion], list[Floats]]:
+        """Draw everything, labels of regions off `avoid`; return regions seen and lines, (k, 2)."""
         outlines, arcs, hidden = self.curves(paint, both_ends=both_ends)
         inner = [*hidden, *avoid]
         lines, box = [*arcs, *inner], within or self.room
         label_regions(self.scene, self.names, outlines, lines, inner, box, self.flat)
-        return lines
+        return [region for region, _ in outlines], lines
 
     def curves(
         self, paint: Painter, *, both_ends: bool = False
@@ -542,8 +446,7 @@ class Disc:
         planes, legend = len(globe.whole.arrangement), self.scene.legend
         texts = names_on_paper(legend, self.names, distinct, apart, LINE_WIDTH, planes)
         for circle, text in texts.items():
-            at_rim = circle == globe.limb and not isinstance(self.drawn, CutChart)
-            ends = [0.25] if at_rim else list(self.drawn.ends(circle))
+            ends = list(self.drawn.ends(circle))
             if not ends:
                 continue
             if circle != globe.limb and not both_ends:
@@ -640,13 +543,11 @@ def alone(
 def rim_width(scene: Scene, globe: Globe, names: RegionLabels | None = None) -> float:
     """Return the room that numbers of planes and short labels need outside the limb, in points."""
     arrangement = globe.whole.arrangement
-    widths = [
-        5.5 + scene.measure(plane_names(arrangement, x), 7.0)[0] for x in arrangement.distinct
-    ]
+    widths = [5.5 + measure(plane_names(arrangement, x), 7.0)[0] for x in arrangement.distinct]
     # Up to three signs fit into most regions.
     beside_ball = names and names.kind == "signs" and len(arrangement) > 3
     forms = names.forms((1,) * len(arrangement)) if names and beside_ball else []
-    beside = min(24.0, 3.5 + max((scene.measure(text, SIZES[1])[0] for text in forms), default=0.0))
+    beside = min(24.0, 3.5 + max((measure(text, SIZES[1])[0] for text in forms), default=0.0))
     return max([RIM, beside, *widths])
 
 
@@ -703,8 +604,7 @@ def draw_sphere(
     """
     names = RegionLabels(arrangement, labels, items="circles")
     shown, coordinates = drawn_axes(arrangement, axes, coordinates)
-    moved = point_map(coordinates, arrangement)
-    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    arrangement, camera, moved = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera, azimuth)
     colours = globe.colouring(colour)
     disc = alone(globe, front(globe, orthographic), names, width, solid=True)
@@ -717,7 +617,7 @@ def draw_sphere(
         disc.scene.circle(disc.centre, 1.0, fc=INK, ec="none", zorder=2.5, gid="origin")
     if sides:
         arrows = [_side(disc, c) for c in range(globe.whole.circle_count)]
-    lines = disc.draw(colours.paint, avoid=[*arms, *arrows])
+    _, lines = disc.draw(colours.paint, avoid=[*arms, *arrows])
     off = keep_off(lines)
     for name, (_, tip) in zip(shown, arms, strict=True):
         places = beside(tip, away=tip - np.array(disc.centre), distance=2.0)

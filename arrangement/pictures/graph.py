@@ -24,7 +24,7 @@ from arrangement.drawing.labels import (
     sign_text,
     write_if_free,
 )
-from arrangement.drawing.scene import Floats, Scene
+from arrangement.drawing.scene import Floats, Scene, measure
 from arrangement.drawing.solids.sight import unit, unit_vectors
 from arrangement.drawing.views import picture
 from arrangement.duals.zonohedron import dual_polyhedron, dual_zonotope
@@ -207,7 +207,7 @@ def _project_graph(arrangement: Arrangement) -> PlacedGraph:
     size = arrangement.dimension
     group = symmetry(arrangement) if arrangement.is_central and arrangement.rank == size else None
     even = arrangement.is_central and group is None
-    planes, _ = in_coordinates("even" if even else None, arrangement)
+    planes, *_ = in_coordinates("even" if even else None, arrangement)
     units = unit_vectors([plane[:-1] for plane in planes.distinct_planes]).reshape(-1, size)
     sides = np.array(signs).reshape(len(signs), -1)[:, list(arrangement.firsts)]
     frame = np.eye(2)
@@ -305,7 +305,7 @@ class GraphPicture:
         widest = max(
             (form for s in graph.signs for form in names.forms(s)[:1]), key=len, default=""
         )
-        margin = max(least, min(max(scene.measure(widest, 6.0)) + 6, 26.0))
+        margin = max(least, min(max(measure(widest, 6.0)) + 6, 26.0))
         low, high = graph.places.min(axis=0), graph.places.max(axis=0)
         self.centre = np.array([scene.width, scene.height]) / 2
         scale = 2 * (self.centre - margin) / np.maximum(high - low, 1e-9)

@@ -11,7 +11,7 @@ import numpy as np
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.counts import Flat, IntersectionLattice, intersection_lattice
-from arrangement.drawing.scene import GAP, POINTS, Floats, Scene
+from arrangement.drawing.scene import GAP, POINTS, Floats, Scene, measure
 from arrangement.drawing.views import picture
 from arrangement.numbers import budget
 from arrangement.pictures.coordinates import RAISED
@@ -67,11 +67,10 @@ class _RankRow:
 class _HasseDiagram:
     def __init__(self, lattice: IntersectionLattice, width: float) -> None:
         self.lattice = lattice
-        trial = Scene(width, 10.0)
         margins = [self._margin(rank) for rank in range(len(lattice.flats))]
-        self.left = max(trial.measure(text, 6.0)[0] for text in margins) + 8.0
-        self.right = trial.width - 4.0
-        self.rows = [self._row(trial, flats) for flats in lattice.flats]
+        self.left = max(measure(text, 6.0)[0] for text in margins) + 8.0
+        self.right = width * POINTS - 4.0
+        self.rows = [self._row(flats) for flats in lattice.flats]
         edges = sum(len(above) for level in lattice.covers for above in level)
         self.gap = min(70.0, max(26.0, 20.0 + 0.5 * edges))
         dots = [str(rank) for rank, row in enumerate(self.rows) if not row.size]
@@ -88,15 +87,15 @@ class _HasseDiagram:
         total = sum(self.lattice.moebius[flat] for flat in flats)
         return f"rank {rank}\n{counted(len(flats), 'flat')}\n\u03a3\u03bc = {_sign_text(total)}"
 
-    def _row(self, scene: Scene, flats: tuple[Flat, ...]) -> _RankRow:
+    def _row(self, flats: tuple[Flat, ...]) -> _RankRow:
         names = [self._name(flat) for flat in flats]
         values = [_sign_text(self.lattice.moebius[flat]) for flat in flats]
         room = self.right - self.left
         for turned in (False, True):
             angle = 90.0 if turned else 0.0
             for size in (7.0, 6.0, 5.0):
-                boxes = [scene.measure(name, size, angle) for name in names]
-                small = [scene.measure(value, size - 0.5, angle) for value in values]
+                boxes = [measure(name, size, angle) for name in names]
+                small = [measure(value, size - 0.5, angle) for value in values]
                 widths = [max(w, v) for (w, _), (v, _) in zip(boxes, small, strict=True)]
                 gap, most = (2.4 if turned else 5.0), max(widths)
                 if (most + gap) * len(flats) <= room:
@@ -149,7 +148,7 @@ class _HasseDiagram:
                 under = foot[1] - GAP - (2.0 if row.turned else 0.1)
                 look: dict[str, Any] = {"anchor": (0.5, 1.0), "rotation": angle, "color": _INK}
                 self.scene.write((at, under), row.values[k], row.size - 0.5, **look)
-            top = foot[1] + self.scene.measure(row.names[k], row.size, angle)[1]
+            top = foot[1] + measure(row.names[k], row.size, angle)[1]
             spans.append((at, bottom - 2.5, top + 0.8))
         return np.array(spans)
 

@@ -41,24 +41,21 @@ from arrangement.drawing.labels import (
     sign_text,
     write_if_free,
 )
-from arrangement.drawing.scene import POINTS, Floats, PageMap, Scene, along, arrow
-from arrangement.drawing.solids.flat_polygons import between, clip_polygon
+from arrangement.drawing.scene import POINTS, Floats, PageMap, Scene, along, arrow, measure
 from arrangement.drawing.views import Corner
 from arrangement.errors import InputError, refusal
 from arrangement.library.files.table import read_polygon
 from arrangement.numbers.exact import (
-    IntegerVector,
     RationalVector,
     dot,
     primitive,
     quotient,
     rational_vector,
     shown,
-    sign,
 )
-from arrangement.numbers.linear.rank import cycle_edges
 from arrangement.numbers.real import rational_near
-from arrangement.pictures.coordinates import in_coordinates, planes_view, point_map
+from arrangement.pictures.charts import StraightChart, plane_points
+from arrangement.pictures.coordinates import in_coordinates, planes_view
 from arrangement.pictures.globe import (
     Drawn,
     Globe,
@@ -218,7 +215,7 @@ def _count_visible(boxes: Floats, middle: RationalVector, half: RationalVector) 
     return int((within & (sizes >= _SEEN * 2 * room.max())).sum())
 
 
-class LinesChart:
+class LinesChart(StraightChart):
     """The faces of lines of R^2 that are not at infinity, as points of the plane.
 
     Places are those of the plane, moved and scaled so that the window has its middle at 0 and
@@ -241,25 +238,25 @@ class LinesChart:
         self.half = [x / unit for x in chosen.half]
         self.middle, self.unit = np.array([float(x) for x in chosen.middle]), float(unit)
         self.globe = Globe(cone(lines, chosen.middle, unit), ABOVE)
-        self.sphere, self.incidence = self.globe.cut, self.globe.cut.incidence
+        x, y = self.half
+        turns = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+        corners = [primitive((s * x, t * y, Fraction(1))) for s, t in turns]
+        super().__init__(self.globe.cut, self.globe.cut.circle_normals, corners)
 
     @cached_property
     def regions(self) -> dict[int, tuple[int, ...]]:
         """The sign vectors of the regions, by their numbers on the sphere."""
-        vectors = region_signs(self.sphere)
-        return {r: signs[:-1] for r, signs in enumerate(vectors) if signs[-1] > 0}
+        return _finite(region_signs(self.sphere))
 
     @cached_property
     def edges(self) -> dict[int, tuple[int, ...]]:
         """The sign vectors of the edges, by their numbers on the sphere."""
-        vectors = sign_vectors(self.sphere, self.sphere.packed_arc_signs)
-        return {a: signs[:-1] for a, signs in enumerate(vectors) if signs[-1] > 0}
+        return _finite(sign_vectors(self.sphere, self.sphere.packed_arc_signs))
 
     @cached_property
     def vertices(self) -> dict[int, tuple[int, ...]]:
         """The sign vectors of the vertices, by their numbers on the sphere."""
-        vectors = sign_vectors(self.sphere, self.sphere.packed_vertex_signs)
-        return {v: signs[:-1] for v, signs in enumerate(vectors) if signs[-1] > 0}
+        return _finite(sign_vectors(self.sphere, self.sphere.packed_vertex_signs))
 
     @cached_property
     def parallels(self) -> list[int]:
@@ -289,57 +286,19 @@ class LinesChart:
     def _boundary(self, region: int) -> np.ndarray[tuple[int], np.dtype[np.int32]]:
         return self.incidence.boundary(region) if self.lines.rank else np.empty(0, np.int32)
 
-    # In the window
-
-    @cached_property
-    def corners(self) -> list[IntegerVector]:
-        """The homogeneous corners of the window, counter-clockwise."""
-        x, y = self.half
-        turns = ((-1, -1), (1, -1), (1, 1), (-1, 1))
-        return [primitive((s * x, t * y, Fraction(1))) for s, t in turns]
-
-    def outline(self, region: int) -> Floats:
-        """Return the corners of the part of a region in the window."""
-        return _places(self._clip(self.corners, region))
-
-    def edge(self, arc: int) -> Floats:
-        """Return the ends of the part of an edge in the window, (2, 2)."""
-        ends = self._ends(int(self.incidence.arc_circle[arc]))
-        return _places(dict.fromkeys(self._clip(ends, int(self.incidence.region[2 * arc]))))
-
     def vertex(self, vertex: int) -> Floats:
         """Return the place of a vertex."""
-        return _places([self.sphere.ray(vertex)]).reshape(2)
-
-    def line(self, label: int) -> Floats:
-        """Return the ends of a class of lines at the boundary of the window, (2, 2)."""
-        return _places(self._ends(label))
-
-    def _ends(self, circle: int) -> list[IntegerVector]:
-        row, ends = self.sphere.circle_normals[circle], []
-        for p, q in cycle_edges(self.corners):
-            at_p, at_q = dot(row, p), dot(row, q)
-            if at_p == 0:
-                ends.append(p)
-            elif at_p * at_q < 0:
-                ends.append(between(p, q, at_p, at_q))
-        return ends
-
-    def _clip(self, loop: list[IntegerVector], region: int) -> list[IntegerVector]:
-        """Return the part of a convex polygon of homogeneous points in the closure of a region."""
-        inside = self.sphere.region_witness(region)
-        circles = self.incidence.arc_circle[self._boundary(region) >> 1].tolist()
-        for row in (self.sphere.circle_normals[circle] for circle in circles):
-            side = sign(dot(row, inside))
-            loop = clip_polygon(loop, [side * dot(row, p) for p in loop])
-        return loop
-
-    # Whole
+        return plane_points([self.sphere.ray(vertex)]).reshape(2)
 
     @property
     def drawn(self) -> Drawn:
         """Arcs and regions of the half sphere as circular arcs in a disc."""
         return Drawn(self.sphere, self.globe.points, self.globe.normals, stereographic)
+
+
+def _finite(vectors: Iterable[tuple[int, ...]]) -> dict[int, tuple[int, ...]]:
+    """Return the signs of what is on the positive side of the last plane, without that one."""
+    return {k: signs[:-1] for k, signs in enumerate(vectors) if signs[-1] > 0}
 
 
 class PolygonChart(LinesChart):
@@ -370,10 +329,6 @@ class PolygonChart(LinesChart):
     def is_inside(self, signs: Sequence[int], closed: bool = False) -> bool:
         """Return whether a face is in the interior of the polygon, or in it with its boundary."""
         return min(signs[self.count :], default=1) >= (not closed)
-
-
-def _places(points: Iterable[IntegerVector]) -> Floats:
-    return np.array([[float(x / w), float(y / w)] for x, y, w in points]).reshape(-1, 2)
 
 
 #: Room around the window for the names of the lines, in points.
@@ -456,7 +411,7 @@ def draw_lines(
         if corners and ([*map(len, corners)] != [2, 2] or not all(map(ne, *corners))):
             raise InputError("the window has two opposite corners, such as -1,-1 2,3")
         coordinates = "given"
-    drawn, moved = in_coordinates(coordinates, arrangement)[0], point_map(coordinates, arrangement)
+    drawn, _, moved = in_coordinates(coordinates, arrangement)
     if inside is None:
         made = _DiscSheet if projective else _WindowSheet
         sheet: _Sheet = made(LinesChart(drawn, corners), width, names, colour or "bounded")
@@ -614,9 +569,8 @@ class _WindowSheet(_Sheet):
         chart = self.chart
         x, y = (float(half) for half in chart.half)
         names = [plane_names(chart.lines, members, chart.count) for members in chart.lines.distinct]
-        trial = Scene(width, 10.0)
-        margin = max([MARGIN, *(trial.measure(name)[0] + 5 for name in names)])
-        room = trial.width - 2 * margin
+        margin = max([MARGIN, *(measure(name)[0] + 5 for name in names)])
+        room = width * POINTS - 2 * margin
         scale = room / max(2 * x, 1.2 * y)
         self.scene = Scene(width, 2 * (y * scale + margin) / POINTS)
         self.centre = np.array([self.scene.width / 2, margin + y * scale])

@@ -55,7 +55,6 @@ from arrangement.pictures.coordinates import (
     in_view_space,
     inverse_root,
     planes_view,
-    point_map,
     rounded_map,
 )
 from arrangement.pictures.names import Labels, RegionLabels, equation, plane_names, thinner
@@ -95,10 +94,10 @@ def cut_out(
     """
     space = in_view_space(arrangement, "section")
     matrix = coordinate_map(coordinates, space)
-    matrix = np.eye(4) if matrix is None else matrix
+    mapped = rounded_map(np.eye(4) if matrix is None else matrix, 1 << 10)
     normals = [row[:-1] for row in arrangement.integer_planes]
     if plane is None:
-        equation: IntegerVector = (*_clear_normal(normals, apply_map(matrix, space)[0]), 1)
+        equation: IntegerVector = (*_clear_normal(normals, apply_map(*mapped, space)), 1)
     else:
         equation = primitive(real_vector(plane, "section"))
         d = arrangement.dimension
@@ -113,7 +112,7 @@ def cut_out(
                 "their normals"
             )
     both = Arrangement([*normals, equation[:-1]], [0] * len(normals) + [equation[-1]])
-    *given, (*normal, offset) = apply_map(matrix, in_space(both, 4))[0].integer_planes
+    *given, (*normal, offset) = apply_map(*mapped, in_space(both, 4)).integer_planes
     basis = cut(standard_basis(4), normal)
     lengths = np.array([math.hypot(*map(float, row)) for row in basis])
     units = np.array(basis, dtype=float) / lengths[:, None]
@@ -525,8 +524,7 @@ def draw_planes(
     if coordinates is None and not (centre is None and radius is None):
         coordinates = "given"
     shown, coordinates = drawn_axes(arrangement, axes, coordinates)
-    moved = point_map(coordinates, arrangement)
-    arrangement, camera = in_coordinates(coordinates, arrangement, camera)
+    arrangement, camera, moved = in_coordinates(coordinates, arrangement, camera)
     toward = None if camera is None else view_direction(camera)
     cells = cut_cells(arrangement, body, centre, radius)
     if toward is None:

@@ -13,7 +13,18 @@ import numpy as np
 
 from arrangement.drawing.colours import BLACK, GREY
 from arrangement.drawing.labels import Labels, covering, inside, keep_off, near, write_if_free
-from arrangement.drawing.scene import FONT, POINTS, Box, Floats, Legend, PageMap, Place, Scene, area
+from arrangement.drawing.scene import (
+    FONT,
+    POINTS,
+    Box,
+    Floats,
+    Legend,
+    PageMap,
+    Place,
+    Scene,
+    area,
+    measure,
+)
 from arrangement.drawing.views import Exact
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, rational, shown
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
@@ -224,7 +235,7 @@ class Panel:
         out = np.array([(0, -1), (-1, 0)][k])
         for at, text in ticks(self.window.centre[k], self.window.half, factor):
             tick = self.at((at, -1.0) if k == 0 else (-1.0, at))
-            beyond = (abs(at) - 1) * self.side / 2 + self.scene.measure(text)[0] / 2
+            beyond = (abs(at) - 1) * self.side / 2 + measure(text)[0] / 2
             if k == 0 and beyond > 5:
                 continue
             self.scene.line([tick, tick + 2 * out], ec=GREY, lw=0.4)
@@ -299,7 +310,7 @@ class Panel:
         high = np.array([shape.max(axis=0) for shape in shapes])
         for i, (_, states) in enumerate(parts):
             room = np.minimum(high[i], within[2:]) - np.maximum(low[i], within[:2])
-            if (room < self.scene.measure(code(states), FONT)).any():
+            if (room < measure(code(states), FONT)).any():
                 continue
             # What is farther away than a point covers no part of it.
             near = (low[i + 1 :] < high[i] + 1) & (high[i + 1 :] > low[i] - 1)

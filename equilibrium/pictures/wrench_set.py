@@ -19,7 +19,7 @@ import numpy as np
 from arrangement.console.number_form import LABEL, counted
 from arrangement.drawing.colours import BLACK, GREY, VERMILION, pale
 from arrangement.drawing.pages import PageFace, SolidPage, page_face
-from arrangement.drawing.scene import Floats, Legend, Scene, millimetres
+from arrangement.drawing.scene import Floats, Legend, Scene, measure, millimetres
 from arrangement.drawing.solids.depth_tree import Node, SolidSheet, depth_tree
 from arrangement.drawing.solids.meshes import ClosedSurface, model_bytes
 from arrangement.drawing.solids.sight import (
@@ -418,7 +418,7 @@ class _WrenchSetPicture(SolidSheet):
             for share, text in ticks(self.box.middle[axis], self.box.half[axis]):
                 tick = self.at(ends[0] + (ends[1] - ends[0]) * (share + 1) / 2)
                 self.scene.line([tick, tick + 2.5 * out], ec=GREY, lw=0.4, zorder=4, role="axis")
-                half_box = np.array(self.scene.measure(text)) / 2
+                half_box = np.array(measure(text)) / 2
                 reach = 4 + abs(out[0]) * half_box[0] + abs(out[1]) * half_box[1]
                 self.scene.write(tick + reach * out, text)
             unit = self.grasp.units and (
@@ -426,7 +426,7 @@ class _WrenchSetPicture(SolidSheet):
             )
             text = _maths(name) + (f" ({unit})" if unit else "")
             upright = 90.0 if unit and axis == 2 else 0.0
-            beyond = max(0.0, self.scene.measure(text, rotation=upright)[0] / 2 - 6)
+            beyond = max(0.0, measure(text, rotation=upright)[0] / 2 - 6)
             place = self.at(ends).mean(axis=0) + 19 * out + (out[0] * beyond, 0)
             self.scene.text(place, text, rotation=upright)
 

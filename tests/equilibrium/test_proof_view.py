@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, reject, strategies as st
 
 from arrangement.drawing.layout import lay_out
-from arrangement.drawing.scene import Label, Path, area
+from arrangement.drawing.scene import Label, Path, area, measure
 from arrangement.numbers.exact import dot
 from equilibrium import Grasp, GraspError, Verdict, read_grasp, solve
 from equilibrium.certificate.checker import check
@@ -158,7 +158,7 @@ def test_no_label_covers_an_arrow(name, wrench):
     for label in scene.items:
         if isinstance(label, Label) and "work-" in label.name:
             x, y = label.place
-            half = scene.measure(label.text)[0] / 2
+            half = measure(label.text)[0] / 2
             boxes.append((x - half, y - 3, x + half, y + 3))
     assert len(boxes) >= len(read_grasp(name))
     ways = [x.points for x in scene.items if isinstance(x, Path) and "shift-" in x.name]
