@@ -51,7 +51,7 @@ def _reading(options: Collection[str]) -> Reading:
 
 
 _PRINTED = {
-    paper_question(contacts, printed.read_vector(row.wrench)[0], Fraction(row.preload)): row
+    paper_question(contacts, printed.read_vector(row.wrench)[0], row.preload): row
     for contacts, rows in (
         (printed.THREE_CONTACT_GRASP, printed.THREE_CONTACTS),
         (printed.FOUR_CONTACT_GRASP, printed.FOUR_CONTACTS),
@@ -131,7 +131,7 @@ def _count_equations(case: tuple[int, int]) -> int:
     """Count the equations of the system of l slipping contacts of m by writing them down."""
     m, slipping = case
     states = ("slip+",) * slipping + ("stick",) * (m - slipping)
-    question = paper_question([(i, 0, 0, 1) for i in range(m)], [Fraction(0)] * 3, 1)
+    question = paper_question([(i, 0, 0, 1) for i in range(m)], (0, 0, 0), 1)
     equalities, _ = oracle.Systems(question).rows(states)
     return len(equalities) + m  # the oracle has put the m spring equations in already
 
@@ -220,7 +220,7 @@ def _null_space_cases(_rng: random.Random) -> Iterator[Case]:
     ):
         for row in rows:
             wrench = printed.read_vector(row.wrench)[0]
-            question = paper_question(contacts, wrench, Fraction(row.preload))
+            question = paper_question(contacts, wrench, row.preload)
             yield grasp_case(question, f"m = {len(contacts)}, w = {row.wrench}, P = {row.preload}")
 
 
@@ -241,7 +241,7 @@ def _axis_cases(_rng: random.Random) -> Iterator[Case]:
     for contacts in (printed.THREE_CONTACT_GRASP, printed.FOUR_CONTACT_GRASP):
         for preload in (0, 1):
             for axis in (*AXES, *(tuple(-x for x in axis) for axis in AXES)):
-                question = paper_question(contacts, list(map(Fraction, axis)), preload)
+                question = paper_question(contacts, axis, preload)
                 yield grasp_case(question, f"m = {len(contacts)}, P = {preload}, direction {axis}")
 
 

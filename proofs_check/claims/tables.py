@@ -41,7 +41,7 @@ def _rows(
         readings = [printed.read_vector(cell) for cell in cells]
         wrench, *forces = [numbers for numbers, _ in readings]
         motion = forces.pop() if row.motion else ()
-        question = paper_question(listed, wrench, Fraction(row.preload))
+        question = paper_question(listed, wrench, row.preload)
         subject = TableRow(question, row.stable == "Yes", tuple(forces), motion)
         label = f"w={row.wrench.replace(' ', '')} P={row.preload} {row.stable}"
         assumed = "; ".join(text for _, text in readings if text)
@@ -92,7 +92,7 @@ def _ray(
     near = (end + tiny for end in ends for tiny in (-TINY, 0, TINY))
     ordered = tuple(sorted({*map(Fraction, (-(10**6), -1, 0, 1)), *near}))
     held = tuple((low is None or low <= t) and t <= high for t in ordered)
-    question = paper_question(contacts, (Fraction(0), Fraction(1), Fraction(0)), preload)
+    question = paper_question(contacts, (0, 1, 0), preload)
     name = "three" if len(question.contacts) == 3 else "four"
     label = f"{name} contacts, P = {preload}, w = (0, t, 0)"
     return Case(label, Probes(question, ordered, held), question.to_dict())
@@ -133,11 +133,8 @@ def _four_contacts(_rng: random.Random) -> Iterator[Case]:
     for mu, preload in product(
         map(Fraction, ("0", "1/10", "1/2", "1", "3/2", "2", "20")), (0, 1, 3)
     ):
-        first = paper_question(
-            printed.FOUR_CONTACT_GRASP, (Fraction(0), Fraction(1), Fraction(0)), preload
-        )
-        rows = tuple((*row[:4], mu, *row[5:]) for row in first.contacts)
-        yield grasp_case(Question(rows, first.wrench), f"friction {mu}, preload {preload}")
+        question = paper_question(printed.FOUR_CONTACT_GRASP, (0, 1, 0), preload, mu)
+        yield grasp_case(question, f"friction {mu}, preload {preload}")
 
 
 def _up_to_four_friction(question: Question, held: tuple[oracle.Interval, ...]) -> bool:

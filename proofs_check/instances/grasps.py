@@ -28,14 +28,15 @@ _SLIP = {1: "slip+", -1: "slip-", 0: "stick"}
 
 
 def paper_question(
-    contacts: Iterable[Sequence[int]], wrench: Sequence[Fraction], preload: Fraction | int
+    contacts: Iterable[Sequence[int]],
+    wrench: Sequence[Fraction | int | str],
+    preload: Fraction | int | str,
+    friction: Fraction = printed.FRICTION,
 ) -> Question:
     """Return a grasp of the paper under a wrench, with one preload at all contacts."""
-    rows = tuple(
-        (*map(Fraction, contact), printed.FRICTION, Fraction(1), Fraction(preload))
-        for contact in contacts
-    )
-    return Question(rows, tuple(map(Fraction, wrench)))
+    rest = (friction, Fraction(1), Fraction(preload))
+    rows = tuple((*map(Fraction, contact), *rest) for contact in contacts)
+    return Question(rows, tuple(Fraction(x) for x in wrench))
 
 
 def grasp_of(question: Question) -> Grasp:
