@@ -502,6 +502,15 @@ def sum_text(
     return text
 
 
+def sum_of_powers(terms: Iterable[tuple[int, Any]], letter: str = "a") -> str:
+    """Return numbers times powers of a letter, given by their exponents, as text.
+
+    >>> sum_of_powers([(2, 3), (1, Fraction(-1, 2)), (0, 1)])
+    '3*a^2 - 1/2*a + 1'
+    """
+    return sum_text((number, letter * bool(k) + f"^{k}" * (k > 1)) for k, number in terms)
+
+
 def _integer_text(value: int) -> str:
     """Return the decimal digits of an integer; str() refuses very long ones."""
     if value.bit_length() <= _DIGITS:
@@ -541,9 +550,10 @@ def exact_root(square: Fraction | int) -> Fraction | None:
     return Fraction(top, bottom) if is_exact else None
 
 
-def sign(value: Fraction | int) -> int:
+def sign(value: Any) -> int:
     """Return -1, 0 or 1."""
-    return (value > 0) - (value < 0)
+    side: int = (value > 0) - (value < 0)
+    return side
 
 
 def dot(left: Sequence[Any], right: Sequence[Any]) -> Any:

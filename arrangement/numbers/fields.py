@@ -29,11 +29,10 @@ from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
     common_divisor,
-    exact_root,
     quotient,
     rational_vector,
     shown,
-    sum_text,
+    sum_of_powers,
     to_text,
 )
 from arrangement.numbers.real import Irrational, check_same_field
@@ -127,19 +126,14 @@ class NumberField:
                 bits *= 2
                 continue
             ends = Fraction(below, 1 << j), Fraction(below + 1, 1 << j)
-            if self.degree == 2:
-                return ends
-            if to_polynomial(self.minimal_polynomial).count_roots(*map(to_rational, ends)) == 1:
+            if count_roots(self.minimal_polynomial, *ends) == 1:
                 return ends
             j, bits = j + 1, bits + 1
 
     @cached_property
     def index(self) -> int:
         """How many real roots of the minimal polynomial are smaller than the generator."""
-        if self.degree == 2:
-            return 1
-        below = to_polynomial(self.minimal_polynomial).count_roots(None, to_rational(self._low))
-        return int(below)
+        return count_roots(self.minimal_polynomial, None, self._low)
 
     def interval(self, bits: int = 10) -> tuple[Fraction, Fraction]:
         """Return an isolating interval of the generator, of length at most 2^-bits."""
@@ -169,9 +163,10 @@ class NumberField:
     @cached_property
     def domain(self) -> AlgebraicField:
         """The same field as a domain of SymPy."""
-        from sympy import QQ
+        from sympy import QQ, Poly, Symbol
 
-        return QQ.alg_field_from_poly(to_polynomial(self.minimal_polynomial), "a", self.index)
+        polynomial = Poly(self.minimal_polynomial[::-1], Symbol("x"), domain=QQ)
+        return QQ.alg_field_from_poly(polynomial, "a", self.index)
 
     def of_domain(self, value: Any) -> Real:
         """Return a number of `domain` as one of the field."""
@@ -348,32 +343,17 @@ def checked_ends(given: RationalVector, ends: RationalVector) -> tuple[Fraction,
             f"the interval is {shown([to_text(x) for x in ends])}; give its two ends, the lower "
             "one first"
         )
-    polynomial = None
-    if n == 2:
-        square = (given[1] ** 2 - 4 * given[0] * given[2]) / given[2] ** 2
-        irreducible = square < 0 or exact_root(square) is None
-    else:
-        polynomial = to_polynomial(given)
-        irreducible = polynomial.is_irreducible
-    if not irreducible:
+    factors = _polynomial(given).factor()[1]
+    if [power for _, power in factors] != [1]:
         raise InputError(
             f"the minimal polynomial {text} is reducible over Q; give the factor that has the root"
         )
     low, high = ends
-    if n == 2:
-        middle = -given[1] / given[2] / 2
-        outside = [value_at(given, x) * given[2] > 0 for x in ends]
-        both = all(outside) and low < middle < high and square > 0
-        roots = outside[0] != outside[1] or 2 * both
-        real = square > 0
-    else:
-        assert polynomial is not None
-        roots = polynomial.count_roots(to_rational(low), to_rational(high))
-        real = polynomial.count_roots() > 0
-    if int(roots) != 1:
+    if (roots := count_roots(given, low, high)) != 1:
+        real = count_roots(given) > 0
         none = "no real root there" if real else "no real root at all, so no real embedding"
         raise InputError(
-            f"the minimal polynomial {text} has {int(roots) or none} "
+            f"the minimal polynomial {text} has {roots or none} "
             f"{'roots ' if roots else ''}between {to_text(low)} and {to_text(high)}; give an "
             "interval with exactly one"
         )
@@ -406,19 +386,22 @@ def value_at(polynomial: Sequence[Fraction | int], x: Fraction) -> Fraction:
     return value
 
 
-def to_rational(value: Fraction) -> Any:
-    """Return a fraction as a number of SymPy."""
-    import sympy
+def count_roots(
+    polynomial: Sequence[Fraction | int], low: Fraction | None = None, high: Fraction | None = None
+) -> int:
+    """Return the number of real roots in a closed interval; None for an end that is unbounded."""
+    from .functions import Span, signs_on
 
-    return sympy.Rational(value.numerator, value.denominator)
+    bound = 1 + max(abs(Fraction(c) / polynomial[-1]) for c in polynomial)  # Cauchy's
+    ends = -bound if low is None else low, bound if high is None else high
+    return len(signs_on(_polynomial(polynomial), Span(*ends))[1])
 
 
-def to_polynomial(coefficients: Sequence[Fraction | int]) -> Any:
-    """Return a SymPy polynomial from its coefficients, from the constant term up."""
-    import sympy
+def _polynomial(coefficients: Sequence[Fraction | int]) -> Any:
+    """Return a polynomial of FLINT from its coefficients, from the constant term up."""
+    from flint import fmpq, fmpq_poly
 
-    terms = [to_rational(Fraction(c)) for c in reversed(coefficients)]
-    return sympy.Poly(terms, sympy.Symbol("x"), domain=sympy.QQ)
+    return fmpq_poly([fmpq(c.numerator, c.denominator) for c in coefficients])
 
 
 #: A rational number, or an irrational one of a field.
@@ -556,11 +539,6 @@ class AlgebraicNumber(Irrational):
 
 
 _REALS = (int, Fraction, AlgebraicNumber, float)
-
-
-def sum_of_powers(terms: Iterable[tuple[int, Any]]) -> str:
-    """Return coefficients times powers of a, as text."""
-    return sum_text((c, "a" * bool(k) + f"^{k}" * (k > 1)) for k, c in terms)
 
 
 #: Digits to which SymPy's numbers are placed between rational ends.

@@ -21,7 +21,7 @@ from flint.utils.flint_exceptions import DomainError
 
 from arrangement.errors import InputError
 
-from .exact import simplest_between, to_text
+from .exact import sign, simplest_between, sum_of_powers, to_text
 
 #: What a function is combined with.
 Operand: TypeAlias = "Function | Fraction | int"
@@ -109,8 +109,8 @@ class Domain:
         if self.value is None:
             text = polynomial_text(polynomial, self.letter)
             raise Undecided(f"{text} has more than one sign in {self.span}")
-        answer = _sign(polynomial(_rational(self.value))) in wanted
-        self._narrow(polynomial, roots, lambda sign: (sign in wanted) == answer)
+        answer = sign(polynomial(_rational(self.value))) in wanted
+        self._narrow(polynomial, roots, lambda x: (x in wanted) == answer)
         return answer
 
     def _narrow(
@@ -151,7 +151,7 @@ class Domain:
             if (near - self.value) * way < 0:
                 continue
             if near != self.value:
-                if not is_alike(_sign(polynomial(_rational((place + near) / 2)))):
+                if not is_alike(sign(polynomial(_rational((place + near) / 2)))):
                     return reached
                 is_short = near == far and near.denominator <= _LONG
                 if not is_alike(0):
@@ -160,7 +160,7 @@ class Domain:
             place = far
         if place == last:
             return reached
-        if not is_alike(_sign(polynomial(_rational((place + last) / 2)))):
+        if not is_alike(sign(polynomial(_rational((place + last) / 2)))):
             return reached
         return last, has_last
 
@@ -309,15 +309,8 @@ class Function:
 
 def polynomial_text(polynomial: fmpq_poly, letter: str) -> str:
     """Return a polynomial as text, from the highest power."""
-    terms = []
-    for power, x in enumerate(polynomial.coeffs()):
-        if x != 0:
-            size = to_text(abs(_fraction(x)))
-            monomial = letter if power == 1 else f"{letter}^{power}"
-            term = size if not power else monomial if size == "1" else f"{size}*{monomial}"
-            terms.append(("-" if x < 0 else "+", term))
-    words = "".join(f" {sign} {term}" for sign, term in reversed(terms))
-    return "0" if not words else words[3:] if words.startswith(" +") else "-" + words[3:]
+    terms = reversed(list(enumerate(map(_fraction, polynomial.coeffs()))))
+    return sum_of_powers(terms, letter) or "0"
 
 
 def signs_on(polynomial: fmpq_poly, span: Span) -> tuple[set[int], list[tuple[Fraction, Fraction]]]:
@@ -328,15 +321,15 @@ def signs_on(polynomial: fmpq_poly, span: Span) -> tuple[set[int], list[tuple[Fr
     """
     low, high = _rational(span.low), _rational(span.high)
     if not polynomial or span.low == span.high:
-        return {_sign(polynomial(low)) if polynomial else 0}, []
+        return {sign(polynomial(low)) if polynomial else 0}, []
     roots = list(_roots(polynomial // polynomial.gcd(polynomial.derivative()), low, high))
     ends = [(x, x) for x, is_in in ((low, span.has_low), (high, span.has_high)) if is_in]
     at_ends = [pair for pair in ends if polynomial(pair[0]) == 0]
-    signs = {_sign(polynomial(x)) for x, _ in ends}
+    signs = {sign(polynomial(x)) for x, _ in ends}
     signs |= {0} if roots else set()
     # Between two roots, or a root and an end, there is one sign.
     cuts = [low, *(x for pair in roots for x in pair), high]
-    signs |= {_sign(polynomial((x + y) / 2)) for x, y in list(pairwise(cuts))[::2]}
+    signs |= {sign(polynomial((x + y) / 2)) for x, y in list(pairwise(cuts))[::2]}
     intervals = sorted([*roots, *at_ends])
     return signs, [(_fraction(x), _fraction(y)) for x, y in intervals]
 
@@ -370,7 +363,7 @@ def _narrow(
     low, high = map(_rational, pair)
     while _fraction(high - low) > width:
         middle = (low + high) / 2
-        below = _sign(simple(middle)) == _sign(simple(low))
+        below = sign(simple(middle)) == sign(simple(low))
         low, high = (middle, high) if below else (low, middle)
     return _fraction(low), _fraction(high)
 
@@ -389,12 +382,8 @@ def _bernstein(polynomial: fmpq_poly, low: fmpq, high: fmpq) -> list[fmpq]:
 
 def _changes(row: Sequence[fmpq]) -> int:
     """Return how often the sign changes in a row, zeros left out."""
-    signs = [_sign(x) for x in row if x != 0]
+    signs = [sign(x) for x in row if x != 0]
     return sum(x != y for x, y in pairwise(signs))
-
-
-def _sign(x: fmpq) -> int:
-    return (x > 0) - (x < 0)
 
 
 def _rational(value: Fraction | int) -> fmpq:
