@@ -14,7 +14,6 @@ from arrangement.console.number_form import vector
 from arrangement.console.options import values
 from arrangement.console.options.parser import Parser
 from arrangement.numbers.exact import sign_text
-from arrangement.synonyms import EXERCISES, LECTURES
 
 from .console import terminal
 from .errors import InputError, OutOfReachError, WaitingError
@@ -29,8 +28,8 @@ if TYPE_CHECKING:
 
 _Command = Callable[[argparse.Namespace], int]
 _FILE = (
-    "an arrangement or a grasp: a path to a file in any format of `arrangement convert`, - for "
-    "standard input, a built-in name, or equations such as 'x = 0; x + y = 1'"
+    "equations such as 'x = 0; x + y = 1', normals such as '[[1, 0], [1, 1]]', a built-in name, or "
+    "a file (- for stdin) of an arrangement in any format of `arrangement convert`, or of a grasp"
 )
 _POLYGON = (
     "a polygon, given by corners such as '0,0; 4,0; 0,4' or by a file of lines with the polygon on "
@@ -43,78 +42,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     return terminal.run(_parser(), argv)
 
 
-#: Other words for commands and options, with what to write.
-_SYNONYMS = {
-    **dict.fromkeys(
-        (
-            *("characteristic-polynomial", "charpoly", "chambers", "chi", "f-vector", "fvector"),
-            *("info", "number", "poincare", "polynomial", "regions", "solve", "whitney"),
-            "zaslavsky",
-        ),
-        "arrangement count FILE",
-    ),
-    **dict.fromkeys(("cells", "enumerate", "signs", "topes"), "arrangement faces FILE"),
-    **dict.fromkeys(("vertices", "points"), "arrangement faces FILE --dimension 0"),
-    **dict.fromkeys(("bounded", "--bounded"), "arrangement faces FILE --bounded"),
-    **dict.fromkeys(("--vertices", "--points"), "arrangement faces FILE --dimension 0"),
-    **dict.fromkeys(
-        ("--regions", "--f-vector", "--chi", "--polynomial", "--charpoly", "--all"),
-        "arrangement count FILE, which prints all counts",
-    ),
-    **dict.fromkeys(
-        ("flats", "hasse", "intersections", "intersection-lattice"),
-        "arrangement draw FILE --view lattice -o LATTICE.svg",
-    ),
-    "boolean": "arrangement make coordinate --d 3 -o FILE.json",
-    **dict.fromkeys(("explain", "describe"), "arrangement count FILE"),
-    **dict.fromkeys(LECTURES, "arrangement lab -o LAB.html"),
-    **dict.fromkeys(
-        EXERCISES,
-        "arrangement lab -o LAB.html, a page with exercises, which proofs-check grade "
-        "arrangement-lab lists",
-    ),
-    **dict.fromkeys(
-        ("animate", "animation", "movie", "video"), "arrangement draw FILE -o FILM.gif"
-    ),
-    **dict.fromkeys(("--seed", "--count"), "arrangement make random-integer --m 5 --d 2 --seed 1"),
-    "report": "arrangement draw FILE -o PAGE.html",
-    "hyperplanes": "arrangement count FILE",
-    **dict.fromkeys(
-        ("essentialize", "essentialise", "essentialization"),
-        "in Python arrangement.counts.essentialization(A)",
-    ),
-    "tutte": "in Python arrangement.counts.tutte_polynomial(A)",
-    "matroid": "in Python arrangement.counts.bases(A)",
-    "zonotope": "arrangement draw FILE --view dual -o DUAL.svg",
-    "bounds": "proofs-check run slip-state-counts fukuda-bound",
-    **dict.fromkeys(("families", "family"), "arrangement list --families"),
-    "census": "arrangement list --classes M",
-    "isomorphic": "arrangement identify FILE",
-    "random": "arrangement make random-integer --m 5 --d 2 -o FILE.json",
-    **dict.fromkeys(("new", "create", "generate", "read"), "arrangement count 'x = 0; x + y = 1'"),
-    **dict.fromkeys(("example", "examples", "names"), "arrangement list"),
-    "import": "arrangement convert FILE --from FORMAT --number K, or arrangement list FILE",
-    "export": "arrangement convert FILE -o PATH",
-    **dict.fromkeys(("verify", "check"), "arrangement count FILE --verified, or proofs-check run"),
-    **dict.fromkeys(("plot", "show", "picture", "render"), "arrangement draw FILE -o FIGURE.svg"),
-    "figure": "arrangement draw FILE -o FIGURE.svg",
-    "--stones": "equilibrium make arch --voussoirs N -o ARCH.json",
-    **dict.fromkeys(("--diagonals", "--chords"), "arrangement make diagonals --n 6 -o FILE.json"),
-    "--normals": "arrangement count '[[1, 0], [0, 1]]'",
-    "--family": "arrangement list --families",
-    **dict.fromkeys(("--coq", "--formal", "--proved"), "--verified"),
-    "--list": "arrangement list --families",
-    "--types": "--classes",
-}
-
-
 def _parser() -> Parser:
     parser = terminal.command_parser(
         "arrangement",
         "Count, enumerate, identify and draw hyperplane arrangements, exactly.",
-        _SYNONYMS,
-        for_files="arrangement count {}",
-        names=json_files.instances,
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
@@ -136,9 +67,13 @@ def _parser() -> Parser:
         added.set_defaults(command=function)
         return added
 
-    text = "count regions and faces; print the characteristic polynomial"
+    text = "count regions (chambers) and faces; print the characteristic polynomial chi"
     _add_count(add("count", _count, text))
-    faces = add("faces", _faces, "enumerate faces: sign vector, dimension, witness")
+    faces = add(
+        "faces",
+        _faces,
+        "enumerate faces, such as vertices and regions: sign vector, dimension, witness",
+    )
     faces.add_argument(
         "--dimension", type=values.integer_argument, metavar="K", help="only faces of dimension K"
     )
@@ -147,7 +82,7 @@ def _parser() -> Parser:
     chosen.add_argument("--inside", metavar="POLYGON", help=f"only the faces inside {_POLYGON}")
     terminal.add_number_options(faces)
     add("identify", _identify, "find the isomorphism class of up to nine hyperplanes")
-    draw = add("draw", _draw, "draw pictures and pages; export 3D-printable models")
+    draw = add("draw", _draw, "draw figures (plots) and pages; export 3D-printable models")
     draw.lazy_options = lambda: _later("drawing.command").add_options(
         draw, _later("pictures.views").DRAWINGS
     )
@@ -161,13 +96,14 @@ def _parser() -> Parser:
     make.lazy_options = lambda: library.add_families(make)
     text = "convert between the formats of other programs"
     convert = add("convert", library.convert, text, heading="more")
-    convert.strays[r"[^-].*\.\w+"] = "-o PATH"
+    convert.usual = "--to sage"
+    convert.strays[r"[^-].*\.\w+"] = "-o {}"
     convert.strays[r"[a-z][\w-]*"] = "--to {}"
-    convert.synonyms = {**convert.synonyms, "--format": "--to FORMAT", "--type": "--to FORMAT"}
+    convert.words = {"--format": "--to"}
     library.add_convert_options(convert)
-    text = "write a page in which lines and great circles are dragged and counted"
+    text = "write an interactive page in which lines and great circles are dragged and counted"
     page = add("lab", _lab, text, file="?", heading="more")
-    page.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
+    page.add_argument("-o", "--output", metavar="PAGE.html", required=True, help="the page")
     page.add_argument("--title", metavar="TEXT", help="heading of the page")
     page.add_argument(
         "--exercises", metavar="FILE", help="JSON file of exercises that replace the built-in ones"

@@ -170,25 +170,6 @@ ARRANGEMENT: Mapping[str, Mapping[str, str]] = {
     },
 }
 
-#: Words of lecturers for commands and options: what a page shows, and what it asks.
-LECTURES = [
-    "course",
-    "demo",
-    "game",
-    "gui",
-    "interactive",
-    "lecture",
-    "lesson",
-    "lessons",
-    "notebook",
-    "play",
-    "slides",
-    "tour",
-    "tutorial",
-    "widget",
-]
-EXERCISES = ["exercise", "exercises", "homework", "quiz", "worksheet", "--solutions", "--level"]
-
 #: Of everything that has a method `draw`: what saves its picture.
 PICTURES: Mapping[str, str] = {
     **{

@@ -150,9 +150,9 @@ class Command:
         return json.loads(self(line, *words, "--json", code=code))
 
     def error(self, line: object, *words: object, code: int = 2) -> str:
-        """Return the error of a command that is refused: one line, after notes."""
+        """Return the error of a command that is refused: one line, after notes, and its list."""
         self(line, *words, code=code)
-        *notes, last = self.err.splitlines()
+        *notes, last = (row for row in self.err.splitlines() if not row.startswith("  "))
         assert all(note.startswith(("note: ", "rounded: ")) for note in notes)
         assert (self.out, last[:7]) == ("", "error: ")
         return self.err

@@ -51,10 +51,10 @@ FILES |= NONE
 ARRANGEMENT = [
     ("", "required"),
     ("count", "required"),
-    ("conut pencil", "there is no 'conut'; expected one of "),
+    ("conut pencil", "  arrangement count pencil "),
     ("count pencil extra", "unexpected argument 'extra'"),
     ("count pencil --js", "--js"),
-    ("--speet=1", "unknown option '--speet'"),
+    ("--speet=1", "no option '--speet'"),
     ("draw pencil --width '' -o a.svg", "argument --width: it is empty"),
     ("draw coordinate-planes --view planes --radius 50mm -o a.svg", "'50mm' has a unit"),
     (f"faces pencil --dimension {'9' * 5000}", "not a whole number of up to 18 digits"),
@@ -99,7 +99,7 @@ ARRANGEMENT = [
     ),
     ("draw pencil -o a.svg --view shadow", "expected one of sphere, planes"),
     ("draw pencil -o a.svg --colour mood", "mood"),
-    ("draw pencil -o a.svg --with 90", "did you mean --width"),
+    ("draw pencil -o a.svg --with 90", "  --width 90"),
     ("draw pencil -o a.svg --theme drak", "did you mean dark?"),
     ("draw pencil -o a.svg --theme blue", "expected one of light, dark, mono"),
     ("draw pencil -o a.stl --theme dark", "theme is for pictures"),
@@ -187,7 +187,7 @@ ARRANGEMENT = [
     ("draw braid-a3 -o a.stl --model shadow", "expected one of dual, cells"),
     ("draw shi-a2-affine -o a.stl --model dual", "affine, of rank"),
     ("draw braid-a3 --view spere -o a.svg", "did you mean sphere"),
-    ("draw braid-a3 --view lattice --widht 60 -o a.svg", "did you mean --width"),
+    ("draw braid-a3 --view lattice --widht 60 -o a.svg", "\n  --width "),
     ("draw braid-a3 --colour side -o a.svg", "did you mean sides"),
 ]
 THREE, PRELOADED = "paper-three-contacts", "paper-three-contacts-preload-1"
@@ -437,9 +437,9 @@ CASES = [
                 ("--outline 0,0 1,1", "outline"),
                 ("--outline 0,0 1,1 2,x", "entry 2 of corner 3 of the outline"),
                 ("--width 5", "width"),
-                ("--with 90", "did you mean --width"),
+                ("--with 90", "\n  --width "),
                 ("--view slices", "did you mean slice"),
-                ("--view resist --extend 3", "did you mean --extent"),
+                ("--view resist --extend 3", "\n  --extent "),
                 ("--view resist --extent 0", "extent"),
                 ("--view polar --rays 0", "rays"),
                 ("--view compare --methods guess", "expected one of complete"),
@@ -621,10 +621,11 @@ def test_a_mistake_is_one_line_and_leaves_no_file(
         code = stop.code
     out, err = capsys.readouterr()
     head, *commands = err.splitlines()
-    assert (code, out, bool(commands)) == (2, "", head.endswith("expected one of these commands:"))
+    assert (code, out) == (2, "")
+    assert head.endswith(":") or not commands
     assert all(line.startswith("  ") for line in commands)
     assert head.startswith("error: ")
-    assert said in head
+    assert said in err
     assert "\x1b" not in err
     assert len(head) < 700
     assert [path for path in sorted(tmp_path.iterdir()) if path.name != "__pycache__"] == before

@@ -1,6 +1,5 @@
 """Names of other programs: each target runs, and unknown attributes are answered with it."""
 
-import argparse
 import copy
 import dataclasses
 import doctest
@@ -349,34 +348,117 @@ PROGRAMS = {
 }
 
 
-def parts_of(parser):
-    """Return the commands of a parser, or the families of one, and its options."""
-    parser.add_lazy_options()
-    kinds = [x.choices for x in parser._actions if isinstance(x, argparse._SubParsersAction)]
-    return dict(*kinds), set(parser._option_string_actions)
+#: Lines that newcomers typed, each with the line that the answer puts first, or writes.
+GUESSES = """
+arrangement 'x = 0; y = 0' | arrangement count 'x = 0; y = 0'
+arrangement lines.csv | arrangement count lines.csv
+arrangement pencil | arrangement count pencil
+arrangement chambers pencil | arrangement count pencil
+arrangement characteristic-polynomial pencil | arrangement count pencil
+arrangement count pencil --regions | arrangement count pencil
+arrangement count pencil --format json | --json
+arrangement count pencil --out a.txt | arrangement count pencil > a.txt
+arrangement count pencil braid-a3 | for f in pencil braid-a3; do arrangement count $f; done
+arrangement count pencil --dim 3 | arrangement faces pencil --dimension K
+arrangement vertices pencil | arrangement faces pencil
+arrangement faces pencil --dim 1 | --dimension 1
+arrangement faces pencil -d 1 | --dimension 1
+arrangement faces pencil bounded | arrangement faces pencil --bounded
+arrangement plot pencil -o a.svg | arrangement draw pencil -o a.svg
+arrangement draw pencil a.svg | arrangement draw pencil -o a.svg
+arrangement draw pencil --out a.svg | -o a.svg
+arrangement draw pencil --save a.svg | -o a.svg
+arrangement draw pencil -o a.svg --color sides | --colour sides
+arrangement lab a.csv b.csv -o a.html | for f in a.csv b.csv; do arrangement lab $f -o $f.html; done
+arrangement lattice pencil | arrangement draw pencil -o FILE.svg --view lattice
+arrangement interactive | arrangement lab -o PAGE.html
+arrangement isomorphism pencil | arrangement identify pencil
+arrangement families | arrangement list --families
+arrangement list families | arrangement list --families
+arrangement convert pencil a.m2 | -o a.m2
+arrangement convert pencil oscar | --to oscar
+arrangement convert pencil --format sage | --to sage
+arrangement make braid 4 | arrangement make braid --n 4
+arrangement make braid n=4 | arrangement make braid --n 4
+arrangement make braid -n 4 | --n 4
+arrangement make generic 5 2 | arrangement make generic --m 5 --d 2
+arrangement make random | arrangement make random-integer --m 3
+arrangement version | arrangement --version
+arrangement help count | arrangement count --help
+arrangement --json count pencil | arrangement count pencil --json
+equilibrium ladder | equilibrium solve ladder --weight 1
+equilibrium 'my contacts.csv' | equilibrium solve 'my contacts.csv' --weight 1
+equilibrium stable ladder --wrench 0 -1 0 | equilibrium solve ladder --wrench 0 -1 0
+equilibrium solve ladder 0 -1 0 | equilibrium solve ladder --wrench 0 -1 0
+equilibrium solve ladder 0,-1,0 | equilibrium solve ladder --wrench 0 -1 0
+equilibrium solve ladder weight 1 | equilibrium solve ladder --weight 1
+equilibrium solve ladder --load 0 -1 0 | --wrench 0 -1 0
+equilibrium solve ladder --gravity 9.81 | --weight 9.81
+equilibrium solve ladder --fx 1 | --force F_X F_Y
+equilibrium solve ladder --proof a.json | --certificate a.json
+equilibrium solve ladder --tolerance 1 | equilibrium resisted ladder --tolerance Q
+equilibrium friction ladder | equilibrium resisted ladder --friction NUMBER [NUMBER ...]
+equilibrium margin ladder | equilibrium resisted ladder --margin
+equilibrium limits ladder | equilibrium resisted ladder
+equilibrium force-closure ladder | equilibrium info ladder --force-closure
+equilibrium modes ladder | equilibrium info ladder --modes
+equilibrium info ladder modes | equilibrium info ladder --modes
+equilibrium robust ladder | equilibrium solve ladder --robust NAME=Q [NAME=Q ...]
+equilibrium figure ladder | equilibrium draw ladder -o FILE.svg
+equilibrium certificate ladder | equilibrium solve ladder --certificate OUT.json
+equilibrium check a.json | equilibrium verify a.json
+equilibrium convert a.csv -o a.json | equilibrium make csv a.csv -o a.json
+equilibrium convert a.stl | equilibrium make mesh a.stl --friction Q --random 4
+equilibrium make a.stl | equilibrium make mesh a.stl --friction Q --random 4
+equilibrium make random 3 | equilibrium make random --contacts 3
+equilibrium faces pencil | arrangement faces pencil
+equilibrium run euler | proofs-check run euler
+proofs-check euler | proofs-check run euler
+proofs-check show euler | proofs-check list euler
+proofs-check describe euler | proofs-check list euler
+proofs-check verdicts | proofs-check run
+proofs-check counterexample euler | proofs-check run euler --save FOLDER
+proofs-check 'regions == m**2' | proofs-check try 'regions == m**2'
+proofs-check reproduce | proofs-check paper -o FOLDER
+proofs-check exercises | proofs-check grade FILE.py
+proofs-check run --format html | -o html
+proofs-check run --list | proofs-check list
+proofs-check solve ladder | equilibrium solve ladder --weight 1
+proofs-check extreme regions | proofs-check extreme regions --of DOMAIN --classes LOW..HIGH
+"""
+
+
+@pytest.mark.parametrize("guess", GUESSES.strip().splitlines())
+def test_guess_is_answered_with_a_line_to_type(guess, tmp_path, monkeypatch, capsys):
+    pytest.importorskip("matplotlib")
+    monkeypatch.chdir(tmp_path)
+    for name in ("a.csv", "a.json", "a.stl"):
+        (tmp_path / name).touch()
+    typed, answer = guess.split(" | ")
+    program, *words = shlex.split(typed)
+    with pytest.raises(SystemExit) as stopped:
+        import_module(PROGRAMS[program]).main(words)
+    assert stopped.value.code == 2
+    head, *listed = capsys.readouterr().err.splitlines()
+    written = re.search(r"; write (.*?)(, where:| \(see .*)$", head)
+    first = written[1] if written else listed[0].strip()
+    assert f"{first}  ".startswith(f"{answer}  ")
+    program, *words = shlex.split(answer)
+    if program in PROGRAMS and not re.search(r"\b[A-Z]+(_X)?\b|--(help|version)|>", answer):
+        assert import_module(PROGRAMS[program])._parser().parse_args(words).command
 
 
 @pytest.mark.parametrize("program", PROGRAMS)
-def test_words_for_commands_name_what_there_is(program):
-    pytest.importorskip("matplotlib")
-    parsers = {name: import_module(place)._parser() for name, place in PROGRAMS.items()}
-    commands = [x for parser in parsers.values() for x in parts_of(parser)[0].values()]
-    commands += [family for command in commands for family in parts_of(command)[0].values()]
-    every = set[str]().union(*(parts_of(command)[1] for command in commands))
-    for word, use in parsers[program].synonyms.items():
-        assert word == word.lower().replace("_", "-"), f"{word} is never found"
-        for text in re.split(r"[,;] |\|", use):
-            first, *words = re.findall(r"[\w-]+", text) or [""]
-            if first in PROGRAMS and words[0] != "COMMAND":
-                commands, options = parts_of(parsers[first])
-                assert words[0] in commands, f"{word}: {use}"
-                families, options = parts_of(commands[words[0]])
-                if families and words[1:]:
-                    assert words[1] in families, f"{word}: {use}"
-                    options = parts_of(families[words[1]])[1]
-                assert {x for x in words if x[0] == "-"} <= options, f"{word}: {use}"
-            else:
-                assert set(re.findall(r"(?<!\S)--?\w[\w-]*", text)) <= every, f"{word}: {use}"
+def test_every_command_is_listed_for_a_word_that_means_nothing(program, capsys):
+    with pytest.raises(SystemExit):
+        import_module(PROGRAMS[program]).main(["xyzzy"])
+    head, *listed = capsys.readouterr().err.splitlines()
+    assert head.startswith("error: there is no command 'xyzzy'; expected one of these")
+    parser = import_module(PROGRAMS[program])._parser()
+    commands = sorted(row for rows in parser.headings.values() for row in rows)
+    for (name, about), line in zip(commands, sorted(listed), strict=True):
+        assert line.startswith(f"  {program} {name}")
+        assert line.endswith(f"  {about}")
 
 
 @pytest.mark.parametrize("name", FAMILIES)
@@ -410,7 +492,7 @@ def written_for(words, capsys):
         ("faces generic(5,2) --bounded", "make generic --m 5 --d 2", "faces FILE.json --bounded"),
         ("draw braid 3 -o b.svg", "make braid --n 3", "draw FILE.json -o b.svg"),
         ("count braid --n=4 --json", "make braid --n 4", "count FILE.json --json"),
-        ("draw braid", "make braid --n 3", "draw FILE.json -o PATH"),
+        ("draw braid", "make braid --n 3", "draw FILE.json -o FILE.svg"),
     ],
 )
 def test_families_in_place_of_files_are_answered(words, made, then, capsys):

@@ -23,6 +23,12 @@ _ADDED: Mapping[str, Mapping[str, str]] = {
     "documents": {"contacts": "equilibrium.grasps.files:tangential_arrangement"},
     # Functions from a text to an `Arrangement`, or to None where it is not such a table.
     "tables": {"contacts": "equilibrium.grasps.inputs.csv_file:tangential_arrangement"},
+    # Functions that return the parser of a program.
+    "programs": {
+        "arrangement": "arrangement.cli:_parser",
+        "equilibrium": "equilibrium.cli.program:_parser",
+        "proofs-check": "proofs_check.cli.program:_parser",
+    },
     # Functions that return built-in documents by name.
     "instances": {
         "arrangement": "arrangement.library.instances:paths",

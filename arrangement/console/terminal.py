@@ -14,7 +14,7 @@ import json
 import math
 import os
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -39,30 +39,12 @@ UNDECIDED = 3
 _BROKEN_PIPE = 141
 
 
-def command_parser(
-    prog: str,
-    description: str,
-    synonyms: Mapping[str, str] | None = None,
-    for_files: str = "",
-    names: Callable[[], Iterable[str]] = tuple,
-) -> Parser:
-    """Return the parser of one program, with the options that print and end.
-
-    Args:
-        synonyms: other words for commands and options, each with what to write.
-        for_files, names: the command that takes a file or one of these names, ``{}``.
-    """
+def command_parser(prog: str, description: str) -> Parser:
+    """Return the parser of one program, with the options that print and end."""
     every = ("yes or done", "no or refuted", "undecided", "internal error")
     parser = Parser(prog=prog, description=description, epilog=_exit_codes(every))
     parser.add_argument("--version", action=Version)
     parser.add_argument("--print-completion", action=PrintCompletion)
-    parser.synonyms = {
-        "help": f"{prog} COMMAND --help",
-        "--out": "-o PATH",
-        **dict.fromkeys(("--verbose", "--debug", "-v"), "--json, which prints all that is known"),
-        **(synonyms or {}),
-    }
-    parser.for_files, parser.names["file"] = for_files, names
     return parser
 
 
@@ -80,7 +62,7 @@ def add_command(commands: Any, name: str, text: str, *answers: str, heading: str
     if heading:
         commands.program.headings.setdefault(heading, []).append((name, text))
     added = commands.add_parser(name, help=text, description=whole, epilog=codes)
-    added.synonyms, added.commands = commands.program.synonyms, commands.choices
+    added.commands = commands.choices
     return added
 
 

@@ -27,25 +27,6 @@ from .views import KINDS, Drawings, Printing
 _COMMON = {"output", "view", "model", "width", "font", "font_size", "theme", "legend", "camera"}
 
 
-#: Other words for options of pictures, with what to write.
-_SYNONYMS = {
-    "--format": "-o PATH with its ending: .svg, .pdf, .png, .tex for TikZ",
-    **dict.fromkeys(
-        ("--svg", "--pdf", "--png", "--tikz", "--save"), "-o FILE.svg, .pdf, .png, .tex for TikZ"
-    ),
-    "--no-labels": "--labels none",
-    "--no-legend": "--legend none",
-    "--no-axes": "--axes none",
-    **dict.fromkeys(
-        ("--linewidth", "--line-width", "--lw"), "--font-size LENGTH, which lines follow"
-    ),
-    **dict.fromkeys(("--grayscale", "--greyscale", "--mono", "--bw"), "--theme mono"),
-    "--dark": "--theme dark",
-    **dict.fromkeys(("--animate", "--animation", "--movie"), "-o FILE.gif, or .mp4"),
-    **dict.fromkeys(("--scale", "--size"), "--width LENGTH, as 8cm"),
-}
-
-
 class _Use(NamedTuple):
     """An option of a view, model or page."""
 
@@ -78,13 +59,13 @@ def add_options(
         asked = {name for names in lists for name in names.split(",")}
     before = {*parser._actions}
     subject = next(a.metavar for a in parser._actions if not a.option_strings)
-    parser.usage = f"%(prog)s {subject} -o PATH [--view VIEW] [options]"
+    parser.usage = f"%(prog)s {subject} -o FILE.svg [--view VIEW] [options]"
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.add_argument(
         "-o",
         "--output",
         required=True,
-        metavar="PATH",
+        metavar="FILE.svg",
         help=".svg, .pdf, .png, .tex (TikZ): a picture; .gif, .mp4: an animation; .html: a page"
         + "; .stl, .glb, .obj: a model" * bool(drawings.models)
         + more.get("output", ""),
@@ -96,20 +77,10 @@ def add_options(
     for flag in uses:
         if flag not in own:
             _add(parser, uses[flag], asked)
-    names = {
-        f"--{old.replace('_', '-')}": f"--{new}"
-        for old, new in OPTION_SYNONYMS.items()
-        if new in uses
+    parser.words = {
+        f"--{old.replace('_', '-')}": f"--{new}" for old, new in OPTION_SYNONYMS.items()
     }
-    if "--xlim" in names:  # few views have it
-        use = f"--view {uses['window'][0].name} --window X,Y X,Y"
-        names |= {"--xlim": use, "--ylim": use}
-    parser.synonyms = {**_SYNONYMS, **parser.synonyms, **names}
     parser.strays["mm|cm|in|pt"] = "a length in one word, such as 10cm"
-    parser.strays[r"[^-].*"] = (
-        f"{parser.prog} once for each {subject}; in Python compose([...]) of arrangement.pictures "
-        "sets figures beside each other"
-    )
     added = {*parser._actions} - before
     if asked:
         width = get_terminal_size().columns - 2

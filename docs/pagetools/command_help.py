@@ -1,4 +1,4 @@
-"""The directives command-table, command-help, command-synonyms: parsers of the programs.
+"""The directives command-table and command-help: parsers of the programs.
 
 The argument of command-table is a program: shown is a table of its commands, with links to their
 pages in the folder commands.
@@ -8,7 +8,6 @@ does, its exit codes, and its arguments and options, but for those of all comman
 
 import argparse
 import importlib
-import itertools
 
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
@@ -37,15 +36,6 @@ def commands_of(parser):
     """Return the subcommands of a parser by name."""
     listed = (x for x in _actions(parser) if isinstance(x, argparse._SubParsersAction))
     return {name: command for action in listed for name, command in action.choices.items()}
-
-
-def synonym_rows():
-    """Return rows of other words: program, word, what to write."""
-    return [
-        (program, word, name)
-        for program in PROGRAMS
-        for word, name in parser_of(program).synonyms.items()
-    ]
 
 
 def _entries(parser):
@@ -98,19 +88,6 @@ class CommandTable(SphinxDirective):
         return self.parse_text_to_nodes("\n".join(lines))
 
 
-class CommandSynonyms(SphinxDirective):
-    def run(self):
-        lines = []
-        for program, rows in itertools.groupby(synonym_rows(), key=lambda row: row[0]):
-            lines += [f".. rubric:: {program}", "", ".. list-table::", "   :header-rows: 1"]
-            lines += ["   :widths: 30 70", "", "   * - word", "     - write"]
-            for _, word, name in rows:
-                lines += [f"   * - ``{word}``", f"     - ``{name}``"]
-            lines.append("")
-        return self.parse_text_to_nodes("\n".join(lines))
-
-
 def setup(app):
     app.add_directive("command-table", CommandTable)
     app.add_directive("command-help", CommandHelp)
-    app.add_directive("command-synonyms", CommandSynonyms)

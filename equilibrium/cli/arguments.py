@@ -73,7 +73,10 @@ def add_command(
 
 def add_grasp(parser: Any, name: str, number: Any = None, preload: bool = True) -> None:
     """Add a grasp, as an argument or an option, and a preload in place of its own."""
-    text = "a path (JSON, or .csv with one contact per line), - for stdin, or a built-in name"
+    text = (
+        "a path (JSON, or .csv with one contact per line: x, y, nx, ny, friction mu), - for stdin, "
+    )
+    text += "or a built-in name"
     action = parser.add_argument(name, metavar="GRASP", nargs=number, help=text)
     parser.names[action.dest] = built_in
     text = "replace normals of any length by the nearest exact unit vectors, and report the change"
@@ -114,7 +117,7 @@ def add_as_given(parser: argparse.ArgumentParser) -> None:
 def add_applied(
     parser: argparse.ArgumentParser,
     name: str = "--wrench",
-    text: str = "applied force (f_x, f_y) and torque tau about the origin",
+    text: str = "the load: force (f_x, f_y) and torque (moment) tau about the origin",
     required: bool = True,
 ) -> Any:
     """Add a wrench, as such, or as a force or a weight at a point; see `applied`.
@@ -128,8 +131,6 @@ def add_applied(
     group: Any = parser.add_mutually_exclusive_group(required=required)
     add_wrench(group, name, text, None)
     add_force(parser, group)
-    whole: Any = getattr(parser, "_container", parser)  # a group knows its parser
-    whole.strays[r"[-+]?[0-9./][-+0-9./,]*"] = f"{name} {' '.join(_AXES)}"
     return group
 
 
@@ -168,7 +169,7 @@ def add_force(parser: argparse.ArgumentParser, group: Any) -> None:
         "--weight",
         metavar="W",
         type=rational,
-        help="instead of a wrench: the force (0, -W), in space (0, 0, -W)",
+        help="instead of a wrench: mass times gravity, the force (0, -W), in space (0, 0, -W)",
     )
     text = "where the force or weight acts (default: at the origin)"
     place = parser.add_argument("--at", nargs=2, metavar=("X", "Y"), type=rational, help=text)
@@ -182,8 +183,8 @@ def applied(arguments: argparse.Namespace, grasp: Grasp) -> RationalVector:
         wrench = arguments.grasp.get("wrench")
     if wrench is None:
         raise GraspError(
-            "there is no wrench; give one of --wrench, --force and --weight, or write the key "
-            '"wrench" into the file'
+            "there is no wrench; give a load such as --wrench 0 -1 0, --force 0 -1 or --weight 1, "
+            'or write the key "wrench" into the file'
         )
     return grasp.read_wrench(wrench)
 

@@ -39,16 +39,16 @@ _SCENE = "scene"
 
 def add_commands(commands: Any) -> None:
     """Add draw."""
-    text = "draw a grasp or an assembly, resisted wrenches, a proof, or methods side by side"
+    text = "draw figures (plots) of a grasp, an assembly, resisted wrenches, a proof, or of methods"
     draw: Any = add_command(commands, "draw", _draw, text, numbers=False, heading="common")
     draw.lazy_options = lambda: _add_options(draw)
 
 
 def add_lab(commands: Any) -> None:
     """Add lab."""
-    text = "write a page in which contacts and load are dragged, with exact answers"
+    text = "write an interactive page in which contacts and load are dragged, with exact answers"
     lab = add_command(commands, "lab", _lab, text, optional=True, numbers=False)
-    lab.add_argument("-o", "--output", metavar="PATH", required=True, help="the page (.html)")
+    lab.add_argument("-o", "--output", metavar="PAGE.html", required=True, help="the page")
     text = "initial force (f_x, f_y) and torque tau"
     add_applied(lab, text=text, required=False)
     lab.add_argument("--title", metavar="TEXT", help="heading of the page")

@@ -49,7 +49,7 @@ _MAKERS = {
 
 def add_commands(commands: Any) -> None:
     """Add make csv, floats, polygon, shapes, circle, mesh and random, and textbook assemblies."""
-    text = "make a grasp file from data or at random, or a textbook assembly"
+    text = "make a grasp file: convert data, contacts at random, or a textbook assembly"
     make = terminal.add_command(commands, "make", text, heading="more")
     kinds = make.add_subparsers(required=True, metavar="KIND")
 
@@ -94,8 +94,9 @@ def add_commands(commands: Any) -> None:
 
     text = "contacts on the surface of an STL, OBJ, PLY or GLB file"
     chosen = ("at", "random", "seed", "facing", "smooth", "max_distance", "preload")
-    mesh = _add(kinds, "mesh", text, "on_mesh", ("file", "friction"), chosen)
+    mesh: Any = _add(kinds, "mesh", text, "on_mesh", ("file", "friction"), chosen)
     mesh.add_argument("file", metavar="FILE", help="a closed surface; lengths as they are in it")
+    mesh.usual = "--random 4"
     number = values.rational_argument
     text = "points; each contact is at the nearest place of the surface"
     mesh.add_argument(

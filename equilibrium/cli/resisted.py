@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 def add_command_resisted(commands: Any) -> None:
     """Add resisted, whose options choose a form: a load, its margin, a slice, the whole set."""
-    text = "compute the set of resisted wrenches, or its part along a load"
+    text = "compute the set of resisted wrenches, or the limits, margin or friction of a load"
     answers = ("resisted at least in part", "not resisted or the search errs", "undecided")
     parser: Any = add_command(commands, "resisted", _resisted, text, *answers, heading="common")
     text = "only the resisted magnitudes of this force (f_x, f_y) and torque tau"
@@ -48,8 +48,6 @@ def add_command_resisted(commands: Any) -> None:
     text = "the resisted magnitudes of this wrench on one body, added to the wrenches of the file"
     add_on_body(forms, "--along", text)
     add_on_body(parser)
-    draw = "equilibrium draw GRASP --view resist -o REGION.svg"
-    parser.synonyms = {**parser.synonyms, "-o": draw, "--output": draw}
     parser.description += " In space: along a load only, without --margin."
     text = "planar grasps: find the smallest wrench that is not resisted, in any direction"
     forms.add_argument("--smallest", action="store_true", help=text)

@@ -47,9 +47,10 @@ AS_PRINTED = (
 
 def add_command_solve(commands: Any) -> None:
     """Add solve."""
-    text = "decide whether a grasp, or an assembly of bodies, resists a wrench"
+    text = "decide stability: whether a grasp, or an assembly of bodies, resists a wrench"
     answers = ("resisted", "not resisted", "undecided")
     parser: Any = add_command(commands, "solve", _solve, text, *answers, heading="common")
+    parser.usual = "--weight 1"
     loads = add_applied(parser, required=False)
     parser.strays[r"[^-].*\.(csv|npz)"] = "--wrenches FILE for loads"
     add_on_body(loads)

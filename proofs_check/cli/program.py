@@ -10,55 +10,6 @@ from importlib import import_module
 from arrangement.console import terminal
 from arrangement.console.options import values
 from arrangement.console.options.parser import Parser
-from arrangement.synonyms import EXERCISES, LECTURES
-
-#: Other words for commands and options, with what to write.
-_SYNONYMS = {
-    **dict.fromkeys(
-        ("audit", "certify", "check", "verify", "prove", "test"),
-        "proofs-check run CLAIM, for all proofs-check run, or equilibrium verify CERT.json for a "
-        "certificate",
-    ),
-    **dict.fromkeys(
-        ("refuted", "false", "--refuted", "--false", "--failed"), "proofs-check run | grep refuted"
-    ),
-    "proved": "proofs-check run | grep proved",
-    **dict.fromkeys(
-        ("show", "explain", "info", "describe", "evidence"),
-        "proofs-check list ID, of those that proofs-check list has",
-    ),
-    **dict.fromkeys(("html", "pdf"), "proofs-check run -o REPORT.html"),
-    **dict.fromkeys(("claims", "--list"), "proofs-check list"),
-    "compare": "proofs-check run ID, which compares two computations",
-    **dict.fromkeys(("summary", "all", "verdicts", "--all"), "proofs-check run"),
-    **dict.fromkeys(("counterexample", "counterexamples"), "proofs-check run ID --save FOLDER"),
-    **dict.fromkeys(EXERCISES, "proofs-check grade arrangement-lab"),
-    **dict.fromkeys(
-        ("lab", *LECTURES), "arrangement lab -o LAB.html, or equilibrium lab -o LAB.html"
-    ),
-    **dict.fromkeys(("example", "examples"), "proofs-check new NAME --example triangles"),
-    **dict.fromkeys(("reproduce", "figures", "tables"), "proofs-check paper -o FOLDER"),
-    **dict.fromkeys(("--claim", "--id", "--only"), "proofs-check run ID"),
-    **dict.fromkeys(("--html", "--report"), "--output FILE.html"),
-    "--max": "--classes",
-    "--random": "--samples",
-    **dict.fromkeys(("--for", "--where", "--if", "--given", "--assume"), "--when STATEMENT"),
-    **dict.fromkeys(("--family", "--domain", "--in", "--on"), "--of DOMAIN, as 'braid(n=3..6)'"),
-    "table": "proofs-check run FILE.csv",
-    "status": "proofs-check sweep --store FILE --status",
-    "merge": "proofs-check sweep --store FILE --merge PART ...",
-    "--census": "--classes",
-    "--types": "--classes",
-    "--planes": "--elements",
-    "--lines": "--of lines",
-    **dict.fromkeys(
-        ("--dim", "--d", "--dimension", "-d"),
-        '--of lines for lines of the plane, --of "affine(d=3)" for planes of R^3',
-    ),
-    "--central": "--of central",
-    "--n": "--samples N",
-    **dict.fromkeys(("--coq", "--formal", "--proved"), "--verified"),
-}
 
 #: Files of `proofs_check.examples` for ``new``, kept here so that ``--help`` reads none.
 EXAMPLES = (
@@ -89,11 +40,8 @@ def _parser() -> Parser:
     parser = terminal.command_parser(
         "proofs-check",
         "Verify counting claims about arrangements and grasps by independent implementations.",
-        _SYNONYMS,
-        for_files="proofs-check run {}",
-        names=_claims,
     )
-    parser.strays[".*[=<>≤≥≠].*"] = "proofs-check try {}"
+    parser.strays[r".*[=<>≤≥≠].*|\S+\s+\S+\s.*"] = "proofs-check try {}"
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
     def command(name: str, function: str, help: str, *answers: str) -> Parser:
@@ -126,7 +74,9 @@ def _parser() -> Parser:
             strict,
         )
     )
-    listed = command("list", "listing.list_claims", "list claims, or describe one")
+    listed = command(
+        "list", "listing.list_claims", "list claims, or describe one (show its statement and proof)"
+    )
     listed.add_argument(
         "source",
         nargs="?",
@@ -313,7 +263,7 @@ def _add_save(parser: argparse._ActionsContainer) -> None:
     parser.add_argument(
         "--save",
         metavar="FOLDER",
-        help="write the instances that refute a claim here",
+        help="write counterexamples, the instances that refute a claim, here",
     )
 
 

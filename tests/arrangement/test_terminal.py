@@ -5,6 +5,7 @@ import io
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Iterable
@@ -42,64 +43,87 @@ def parsed(*arguments: str) -> argparse.Namespace:
     return parser_for(None).parse_args(["go", *arguments])
 
 
-def test_other_words_are_answered_with_the_name(capsys):
-    synonyms = {"walk": "demo go --fast", "--speed": "--wrench"}
-    parser = terminal.command_parser(
-        "demo", "A demonstration.", synonyms, for_files="demo go {}", names=lambda: ["ladder"]
-    )
+def answer(parser: Parser, words: Iterable[str], capsys: Any) -> list[str]:
+    """Return the lines with which a parser refuses words."""
+    with pytest.raises(SystemExit) as stopped:
+        parser.parse_args(list(words))
+    assert stopped.value.code == 2
+    return capsys.readouterr().err.splitlines()
+
+
+def demo() -> Parser:
+    parser = terminal.command_parser("demo", "A demonstration.")
     parser.strays[".*=.*"] = "demo try {}"
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    go = terminal.add_command(commands, "go", "go there", heading="common")
-    go.add_argument("--wrench")
-    make = terminal.add_command(commands, "make", "make something")
-    make.lazy_options = lambda: make.add_subparsers().add_parser("arch")
-    draw = terminal.add_command(commands, "draw", "draw it")
+    go = terminal.add_command(commands, "go", "go there, or return", heading="common")
+    go.usual = "--wrench 1"
+    number = values.rational_argument
+    go.add_argument("--wrench", metavar="W", type=number, help="the load")
+    go.add_argument("file", metavar="FILE")
+    go.names["file"] = lambda: ["ladder"]
+    make = terminal.add_command(commands, "make", "make something", heading="common")
+    kinds = make.add_subparsers(metavar="KIND")
+    kinds.add_parser("arch", help="").add_argument("-o")
+    draw = terminal.add_command(commands, "draw", "draw it", heading="common")
     draw.add_argument("file", metavar="FILE")
     draw.names["file"] = lambda: ["ladder"]
-    draw.add_argument("--view", required=True)
-    draw.add_argument("--at", nargs=2, metavar=("X", "Y"))
+    draw.add_argument("--view", required=True, help="the picture")
+    draw.add_argument("--at", nargs=2, metavar=("X", "Y"), type=number, help="a place")
+    draw.words = {"--where": "--at"}
     draw.names["view"] = lambda: ["sphere"]
-    for words, answer in (
-        (["walk"], "error: there is no 'walk'; write 'demo go --fast' ("),
-        (["help"], "error: there is no 'help'; write 'demo COMMAND --help' ("),
-        (["my file.csv"], "error: 'my file.csv' is not a command; write demo go 'my file.csv' ("),
-        (["ladder"], "error: 'ladder' is not a command; write demo go ladder ("),
-        (["a=b"], "error: 'a=b' is not a command; write demo try a=b ("),
-        (["arch"], "error: 'arch' is a family; write 'demo make arch -o F"),
-        (["go", "--speed", "3"], "error: there is no '--speed'; write '--wrench' ("),
-        (["go", "--speed=3"], "error: there is no '--speed'; write '--wrench' ("),
-        (["go", "--max_speed"], "error: there is no '--speed'; write '--wrench' ("),
-        (["walks"], "error: there is no 'walk'; write 'demo go --fast' ("),
-        (["go", "--fast-walk"], "error: unknown option '--fast-walk'"),
-        (["long-walk"], "error: there is no 'walk'; write 'demo go --fast' ("),
-        (["make", "--speed"], "error: unknown option '--speed' ("),
-        (["arch:3"], "error: 'arch:3' is a family; write 'demo make arch -o F"),
-        (["sphere"], "error: 'sphere' is not a command; write demo draw FILE --view sphere ("),
-        (["go", "--at", "3"], "error: demo go has no --at; write demo draw FILE --at X Y ("),
-        (["draw", "walk", "--view", "x"], "error: there is no 'walk'; write 'demo go --fast' ("),
-        (["draw", "a"], "error: the following arguments are required: --view; write --view VIEW ("),
-        (["draw", "a", "b", "--view", "x"], "error: unexpected argument 'b'; demo draw takes FILE"),
-    ):
-        with pytest.raises(SystemExit) as stopped:
-            parser.parse_args(words)
-        assert stopped.value.code == 2
-        assert capsys.readouterr().err.startswith(answer)
+    terminal.add_common_options(draw)
+    return parser
 
 
-def test_unknown_option_is_answered_with_what_there_is(capsys):
-    assert refused(["--jbos", "3"], capsys).startswith(
-        "error: unknown option '--jbos'; did you mean --jobs? ("
-    )
-    assert refused(["--stones", "3"], capsys).startswith(
-        "error: unknown option '--stones'; expected one of --output, --jobs, --wrench, --literal ("
-    )
-    assert refused(["--job", "3"], capsys).startswith(
-        "error: unknown option '--job'; did you mean --jobs? ("
-    )
-    assert refused(["--no-jobs"], capsys).startswith("error: unknown option '--no-jobs'; expected")
-    assert refused(["there"], capsys).startswith(
-        "error: unexpected argument 'there'; try takes options alone ("
-    )
+@pytest.mark.parametrize(
+    ("words", "head", "first"),
+    [
+        ("ladder", "'ladder' is not a command; write demo go ladder --wrench 1 (see ", None),
+        ("my.csv -x", "'my.csv' is not a command; write demo go my.csv --wrench 1 (see ", None),
+        ("a=b", "'a=b' is not a command; write demo try a=b (see ", None),
+        ("arch", "'arch' is a family; write 'demo make arch -o FILE.json', then 'demo go F", None),
+        ("arch:3", "'arch:3' is a family; write 'demo make arch -o FILE.json', then ", None),
+        ("walk", "there is no command 'walk'; expected one of ", "demo go FILE --wrench 1  go"),
+        ("walk ladder", "there is no command 'walk'; ", "demo go ladder --wrench 1  go there"),
+        ("walk ladder --wrench 2", "there is no command ", "demo go ladder --wrench 2  go there"),
+        ("returns", "there is no command 'returns'; ", "demo go FILE --wrench 1  go there"),
+        ("sphere", "there is no command ", "demo draw FILE --view sphere  the picture"),
+        ("load ladder", "there is no command 'load'; ", "demo go ladder --wrench W  the load"),
+        ("go ladder --load=3", "demo go has no option '--load'; ", "--wrench 3  the load"),
+        ("go ladder --at 3", "demo go has no option ", "demo draw ladder --view VIEW --at X Y"),
+        ("go --wrech 3 ladder", "demo go has no option '--wrech'; ", "--wrench W  the load"),
+        ("go a b --wrench 1", "unexpected argument 'b'; demo go takes FILE (see ", None),
+        ("go a wrench 1", "unexpected argument 'wrench'; write demo go a --wrench 1 (see ", None),
+        ("draw a --view x --where 1 2", "demo draw has no option '--where'; ", "--at 1 2  a place"),
+        (
+            "draw a",
+            "the following arguments are required: --view; write demo draw a --view VIEW, where:",
+            "--view VIEW  the picture",
+        ),
+        (
+            "--json draw a --view x",
+            "--json follows the command; write demo draw a --json --view x ",
+            None,
+        ),
+        ("draw a --at 1", "argument --at: expected 2 arguments:", "--at X Y  a place"),
+        ("", "the following arguments are required: COMMAND; expected one of these:", "demo go FI"),
+    ],
+)
+def test_unknown_words_are_answered_with_what_there_is(words, head, first, capsys):
+    refused, *rows = answer(demo(), words.split(), capsys)
+    assert refused.startswith(f"error: {head}")
+    assert refused.endswith(":") is bool(rows)
+    assert (first is None) is (not rows)
+    assert not rows or re.sub("  +", "  ", rows[0]).startswith(f"  {first}")
+
+
+def test_options_that_do_not_fit_into_a_list_are_named(capsys):
+    parser = Parser(prog="try")
+    for k in range(15):
+        parser.add_argument(f"--option-{k}")
+    _, *rows = answer(parser, ["--jobs"], capsys)
+    assert len(rows) == 13
+    assert rows[-1] == "  others: --option-12, --option-13, --option-14"
 
 
 def test_help_lists_commands_under_their_headings():
@@ -130,8 +154,7 @@ def test_other_numbers_are_refused_with_the_reason(word, capsys):
     with pytest.raises(SystemExit) as caught:
         parsed("--wrench", "0", "0", word)
     assert caught.value.code == 2
-    error = capsys.readouterr().err.splitlines()[-1]
-    assert error.startswith("error: ")
+    assert capsys.readouterr().err.startswith("error: argument --wrench: ")
 
 
 def test_time_limits_are_above_zero_and_of_any_size():
@@ -314,8 +337,8 @@ def refused(words, capsys) -> str:
     with pytest.raises(SystemExit) as caught:
         repeating().parse_args(words)
     assert caught.value.code == 2
-    (line,) = capsys.readouterr().err.splitlines()
-    return line
+    line, *_ = capsys.readouterr().err.splitlines()
+    return str(line)
 
 
 def test_json_is_one_line_with_rationals_as_strings(capsys):

@@ -73,21 +73,6 @@ def test_text_keeps_to_the_width(monkeypatch, run):
 
 
 @pytest.mark.parametrize(
-    ("words", "answer"),
-    [
-        (["regions == m**2"], "is not a command; write proofs-check try 'regions == m**2' ("),
-        (["euler"], "'euler' is not a command; write proofs-check run euler ("),
-        (["refuted"], "write 'proofs-check run | grep refuted'"),
-        (["check", "c.json"], "or equilibrium verify CERT.json for a certificate'"),
-        (["try", "m >= 3", "--dim", "3"], '--of "affine(d=3)" for planes of R^3\''),
-        (["list", "refuted"], "there is no 'refuted'; write 'proofs-check run | grep refuted'"),
-    ],
-)
-def test_words_that_are_not_commands_are_answered_with_one(refused, words, answer):
-    assert answer in refused("{} " * len(words), *words)
-
-
-@pytest.mark.parametrize(
     ("words", "note"),
     [
         (
