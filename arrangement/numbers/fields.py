@@ -205,13 +205,13 @@ class NumberField:
     @cached_property
     def _largest(self) -> tuple[int, ...]:
         """Bounds of the sizes of the powers of all roots [Fujiwara1916]."""
-        from sympy import integer_nthroot
-
         *lower, _ = self.minimal_polynomial
         n = self.degree
         if n == 2:
             return 1, math.isqrt(-lower[0]) + 1
-        bound = 2 * max(integer_nthroot(abs(c), n - k)[0] + 1 for k, c in enumerate(lower) if c)
+        from flint import fmpz
+
+        bound = 2 * max(int(fmpz(abs(c)).root(n - k)) + 1 for k, c in enumerate(lower) if c)
         return tuple(bound**k for k in range(n))
 
     @cached_property
@@ -266,7 +266,9 @@ class NumberField:
             return self.canonical((a, -b) if norm > 0 else (-a, b), abs(norm))
         number = self._inverses.get(coefficients)
         if number is None:
-            number = self.of_domain(self.domain(list(coefficients[::-1])) ** -1)
+            inverse = _polynomial(coefficients).xgcd(_polynomial(self.minimal_polynomial))[1]
+            powers = [inverse[k] for k in range(self.degree)]
+            number = self.number([Fraction(int(c.p), int(c.q)) for c in powers])
             self._inverses[coefficients] = number
         return number
 
