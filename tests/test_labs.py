@@ -350,9 +350,9 @@ WRITTEN = [
     Written("slip", *GRASP, ("whether",), ("wrench", "points"), {"resisted": True}),
     Written("slip", *GRASP, ("how many",), (), {"equilibria": 1}),
     Written("slip", *GRASP, ("these states",), (), {"states": ["slip+", "detached", "slip-"]}),
-    Written("slip", *GRASP, ("the greatest",), ("direction",), {"border": True}),
+    Written("slip", *GRASP, ("the largest",), ("direction",), {"border": True}),
     Written(
-        *("slip", *GRASP, ("the opposite is said by the paper",), ()),
+        *("slip", *GRASP, ("the opposite is predicted by the paper",), ()),
         {"method": {"name": "printed", "says": False}},
     ),
     Written("lines", *LINES, ("regions",), ("1", "2"), {"counts": {"regions": 12}}),

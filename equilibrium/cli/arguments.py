@@ -245,7 +245,7 @@ def add_on_body(
     text: str = "the wrench on one body, which replaces that of the file",
 ) -> None:
     """Add wrenches on the bodies of an assembly to the options of which one states a load."""
-    text = f"of an assembly: {text}; repeatable"
+    text = f"for an assembly: {text}; repeatable"
     group.add_argument(name, nargs=4, action=_OnBody, metavar=("BODY", *_AXES), help=text)
 
 

@@ -363,7 +363,7 @@ def test_the_algorithms_can_be_stepped(opened):
         if "✓" in said:
             accepted.append(said)
         else:
-            assert "refused" in said or "contradict" in said or "none obeys" in said
+            assert "rejected" in said or "contradict" in said or "none obeys" in said
         opened.run("document.getElementById('step').click()")
     assert bool(accepted) == solve(grasp, wrench).stable
 

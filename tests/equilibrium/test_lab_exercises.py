@@ -47,9 +47,9 @@ REFUSED = {
     "The greatest push": lambda start: [
         (f"{start.rpartition('|')[0]}|{load}", why)
         for load, why in [
-            ("0,3/4,0", "More"),
+            ("0,3/4,0", "A larger"),
             (f"0,{10**30 + 1}/{10**30},0", "does not resist"),
-            (f"0,{10**30 - 1}/{10**30},0", "More"),
+            (f"0,{10**30 - 1}/{10**30},0", "A larger"),
             ("0,-1,0", "direction"),
             ("1/9,1,0", "direction"),
         ]
@@ -63,12 +63,12 @@ REFUSED = {
         (f"{start.rpartition('|')[0]}|0,0,0", "direction"),
     ],
     "A solution in the wrong cell": lambda start: [
-        (start, "accepts"),
-        (f"{start.rpartition('|')[0]}|0,0,3", "refuses"),
+        (start, "model this load is resisted"),
+        (f"{start.rpartition('|')[0]}|0,0,3", "model this load is not resisted"),
         ("1|1,1,-1,0,1,1,1|2,0,2", "2 contacts"),
     ],
-    "No contact may let go": lambda start: [(start, "accepts")],
-    "Cones are not enough": lambda start: [(start, "accepts")],
+    "No contact may let go": lambda start: [(start, "model this load is resisted")],
+    "Cones are not enough": lambda start: [(start, "model this load is resisted")],
     "One motion is enough": lambda start: [(start, "Choose")],
     "Three planes through a line": lambda start: [(start, "8 regions")],
     "Without friction": lambda start: [

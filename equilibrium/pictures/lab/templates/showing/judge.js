@@ -9,11 +9,11 @@ const ONES = { points: "place", normals: "normal", contacts: "place, normal, fri
 // What an editor of exercises may ask for.
 const ASKED = [
   ["whether the load is resisted", { resisted: undefined }], ["how many equilibria there are, or more", { equilibria: undefined }],
-  ["these states of all contacts", { states: undefined }], ["the greatest load of its ray", { border: undefined }],
+  ["these states of all contacts", { states: undefined }], ["the largest resisted load of its ray", { border: undefined }],
   ["a load in a gap of its ray", { gap: undefined }], ["the regions of the tangential planes", { regions: undefined }],
   ["the chosen motion refutes the load", { refutes: undefined }],
   ...Object.keys(METHODS).filter((name) => name !== "complete")
-    .map((name) => [`the opposite is said by ${METHODS[name].name.split(":")[0]}`, { method: { name } }]),
+    .map((name) => [`the opposite is predicted by ${METHODS[name].name.split(":")[0]}`, { method: { name } }]),
 ];
 const ASKED_TOGETHER = false;
 const fixable = () => [...Object.keys(SAME), "wrench", "direction"].map((name) => [name, FIXED_WORDS[name] ?? name]);
@@ -23,16 +23,16 @@ const startOf = (text) => readState(text, data.most);
 // What was changed though it has to stay; empty if nothing.
 function movedFrom(start, fixed, { grasp, wrench }) {
   for (const name of fixed) {
-    if (name === "wrench" && !wrench.every((x, k) => same(x, start.wrench[k]))) return "The load has to stay as it was.";
+    if (name === "wrench" && !wrench.every((x, k) => same(x, start.wrench[k]))) return "The load must not change.";
     if (name === "direction") {
       const [a, b] = [start.wrench, wrench];
       const parallel = [[0, 1], [1, 2], [0, 2]].every(([i, j]) => same(times(a[i], b[j]), times(a[j], b[i])));
-      if (!parallel || dotted(a, b).n <= 0n) return "The load has to keep its direction.";
+      if (!parallel || dotted(a, b).n <= 0n) return "The load must keep its direction.";
     }
     if (!(name in SAME)) continue;
-    if (grasp.length !== start.grasp.length) return `There have to be ${start.grasp.length} contacts.`;
+    if (grasp.length !== start.grasp.length) return `There must be ${start.grasp.length} contacts.`;
     const i = grasp.findIndex((c, k) => !SAME[name](c).every((x, j) => same(x, SAME[name](start.grasp[k])[j])));
-    if (i >= 0) return `Contact ${i + 1} has to keep its ${ONES[name] ?? name}.`;
+    if (i >= 0) return `Contact ${i + 1} must keep its ${ONES[name] ?? name}.`;
   }
   return "";
 }
@@ -63,19 +63,19 @@ const GOALS = {
     const weaker = found.some(([, high]) => high && order(high, ONE) < 0 && order(high, ZERO) >= 0);
     const stronger = found.some(([low]) => low && order(low, ONE) > 0);
     return { value: true, solved: weaker && stronger, words: !stronger ? "No stronger push along the ray is resisted." : !weaker ? "No weaker push along the ray is resisted."
-      : `Of this load the multiples that are resisted are ${found.map(rangeText).join(" and ")}.` };
+      : `The resisted multiples of this load are ${found.map(rangeText).join(" and ")}.` };
   },
   async border(_, { grasp, wrench }) {
     if (!wrench.some((x) => x.n)) return { solved: false, words: "The load is 0." };
     const found = await work.ask({ task: "multiples", grasp, wrench });
     const solved = Boolean(found.at(-1)?.[1] && same(found.at(-1)[1], ONE));
     const stable = await work.ask({ task: "resists", grasp, wrench });
-    return { value: true, solved, words: solved ? "A hair more is refused." : stable ? "More is resisted, too." : REFUSED };
+    return { value: true, solved, words: solved ? "No larger multiple of the load is resisted." : stable ? "A larger multiple of the load is resisted." : REFUSED };
   },
   async method({ name, says }, { grasp, wrench }) {
     const right = await work.ask({ task: "resists", grasp, wrench });
     const other = await work.ask({ task: "said", grasp, wrench, method: name });
-    const words = `The full model ${right ? "accepts" : "refuses"} this load, ${METHODS[name].name.split(":")[0]} ${other ? "accepts" : "refuses"} it.`;
+    const words = `In the full model this load is ${right ? "" : "not "}resisted; ${METHODS[name].name.split(":")[0]} predicts ${other ? "" : "not "}resisted.`;
     return { value: { name, says: other }, solved: right !== other && other === (says ?? other), words };
   },
   async refutes(_, { grasp, wrench, motion }) {

@@ -39,12 +39,12 @@ function paintDifference(view) {
   }
 }
 
-// What both say of the load, exactly.
+// What both predict for the load, exactly.
 function comparedWords() {
-  const say = (yes) => (yes ? "accepts" : "refuses");
+  const predicted = (yes) => (yes ? "resisted" : "not resisted");
   const other = piecesAt(state.others, [...state.wrench, ONE]).length > 0;
-  const right = state.fits ? ` The full model ${say(state.found.stable)} the load, this method ${say(other)} it.` : "";
-  return `Compared with ${METHODS[state.other].name}. Red stripes: it accepts what is not resisted; blue: it refuses what is.${right}`;
+  const right = state.fits ? ` In the full model the load is ${predicted(state.found.stable)}; this method predicts ${predicted(other)}.` : "";
+  return `Compared with ${METHODS[state.other].name}. Red stripes: resisted by this method only; blue stripes: resisted in the full model only.${right}`;
 }
 
 function listenToMethods() {

@@ -87,7 +87,7 @@ function judged({ n, balance, equal, atLeast }) {
   const z = [...lines.point(), ONE];
   const broken = atLeast.map(({ row, name, contact }) => ({ name, contact, value: dotted(row, z) })).filter(({ value }) => value.n < 0n)
     .map(({ name, contact, value }) => BROKEN[name](contact + 1, value));
-  return { accepted: !broken.length, words: `d = ${vectorText(z.slice(0, 3))}: ${broken.length ? "refused." : "all conditions hold, an equilibrium."}`, broken };
+  return { accepted: !broken.length, words: `d = ${vectorText(z.slice(0, 3))}: ${broken.length ? "rejected." : "all conditions hold, an equilibrium."}`, broken };
 }
 
 const rowText = (row, names) => sumText(row.map((x, k) => [textOf(x), names[k] ? ` ${names[k]}` : ""]), (text) => shortText(readNumber(text)));
