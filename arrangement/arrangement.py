@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import counts, synonyms
-from .console.plugins import attached
+from .console.plugins import method_code
 from .counts import completeness
 from .counts.operations import flat_chart
 from .counts.whitney import f_vector, region_count
@@ -339,7 +339,7 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
         >>> Arrangement([[1, 0, 0], [0, 1, 0], [0, 0, 1]]).identify().planes
         3
         """
-        identification: Identification = attached("Arrangement.identify")(self)
+        identification: Identification = method_code("Arrangement.identify")(self)
         return identification
 
     def addition(self, normal: Iterable[Any], offset: Any = 0) -> Arrangement:
@@ -403,7 +403,7 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
             InputError: another ending, a format that cannot hold the arrangement, or a place that
                 cannot be written.
         """
-        attached("Arrangement.save")(self, path)
+        method_code("Arrangement.save")(self, path)
 
     def to_sage(self) -> str:
         """Return the arrangement as source text of SageMath, to be pasted there.
@@ -411,12 +411,12 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
         >>> Arrangement([[1, 0]]).to_sage()
         'H.<x,y> = HyperplaneArrangements(QQ)\\nA = H(\\n    x,\\n)\\n'
         """
-        text: str = attached("Arrangement.to_sage")(self)
+        text: str = method_code("Arrangement.to_sage")(self)
         return text
 
     def to_polymake(self) -> str:
         """Return the arrangement as a document of polymake, which its ``load`` reads."""
-        text: str = attached("Arrangement.to_polymake")(self)
+        text: str = method_code("Arrangement.to_polymake")(self)
         return text
 
     @property
@@ -518,14 +518,14 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
         Raises:
             InputError: other planes, or too many.
         """
-        return attached("Arrangement.lab")(self)
+        return method_code("Arrangement.lab")(self)
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture of `draw`, where there is one."""
-        text: str | None = attached("Arrangement._repr_svg_")(self)
+        text: str | None = method_code("Arrangement._repr_svg_")(self)
         return text
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows: the picture, where there is one, and a table of counts."""
-        text: str = attached("Arrangement._repr_html_")(self)
+        text: str = method_code("Arrangement._repr_html_")(self)
         return text

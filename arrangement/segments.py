@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 from arrangement import synonyms
 from arrangement.arrangement import Arrangement
-from arrangement.console.plugins import attached
+from arrangement.console.plugins import method_code
 from arrangement.enumeration.subdivision import Pieces, segment_sheet
 from arrangement.errors import HintsMixin, InputError
 from arrangement.numbers.arguments import entries
@@ -97,7 +97,7 @@ class Segments(HintsMixin):
 
     def draw(self, **options: Any) -> Drawing:
         """Draw the segments as a figure of matplotlib; see `pictures.draw_segments`."""
-        made: Drawing = attached("Segments.draw").draw(self, **options)
+        made: Drawing = method_code("Segments.draw").draw(self, **options)
         return made
 
     def to_dict(self) -> dict[str, Any]:

@@ -134,7 +134,7 @@ for method in methods:
     owner, name = method.split(".")
     package = arrangement if hasattr(arrangement, owner) else equilibrium
     assert callable(getattr(getattr(package, owner), name)), method
-    plugins.attached(method)
+    plugins.method_code(method)
 """
     run = subprocess.run([sys.executable, "-c", program], cwd=ROOT, timeout=120, check=False)
     assert run.returncode == 0

@@ -50,17 +50,17 @@ def attach(places: Mapping[str, str]) -> None:
     _ATTACHED.update(places)
 
 
-def attached(method: str) -> Any:
+def method_code(method: str) -> Any:
     """Return the function that is registered for a method."""
-    return named(_ATTACHED[method])
+    return import_object(_ATTACHED[method])
 
 
-def added(kind: str) -> dict[str, str]:
+def registry_entries(kind: str) -> dict[str, str]:
     """Return the entries of a kind, of the packages that are installed."""
     return {key: place for key, place in _ADDED[kind].items() if find_spec(place.split(".")[0])}
 
 
-def named(place: str) -> Any:
+def import_object(place: str) -> Any:
     """Import and return an object by its place, such as ``package.module:function``."""
     module, _, name = place.partition(":")
     return getattr(import_module(module), name)

@@ -23,7 +23,7 @@ _MOST_DEATHS = 3
 MOST_JOBS = 1024
 
 
-def due(count: int, shard: tuple[int, int], jobs: int) -> range:
+def part_numbers(count: int, shard: tuple[int, int], jobs: int) -> range:
     """Return the numbers below a count that a shard (i, n) is to do: every n-th from the i-th.
 
     Raises:
@@ -37,7 +37,7 @@ def due(count: int, shard: tuple[int, int], jobs: int) -> range:
     return range(part - 1, count, parts)
 
 
-def done(
+def run_parts(
     function: Callable[[Any, Part], Result],
     plan: Any,
     numbers: Sequence[Part],

@@ -31,11 +31,11 @@ from arrangement.pictures.globe import (
     Disc,
     Drawn,
     Globe,
-    alone,
     far_direction,
-    front,
+    front_half,
     orthographic,
     rim_width,
+    single_disc,
     stereographic,
 )
 from arrangement.pictures.names import (
@@ -109,7 +109,7 @@ def draw_stereographic(
     disc = (
         _both_halves(globe, names, width)
         if whole
-        else alone(globe, front(globe, stereographic), names, width)
+        else single_disc(globe, front_half(globe, stereographic), names, width)
     )
     disc.map_points(moved)
     disc.draw(colours.paint)
@@ -265,7 +265,7 @@ def draw_gnomonic(
         globe = _upright(Globe(arrangement, _central_direction(globe)))
     colours = globe.colouring(colour)
     chart = _cut(globe)
-    disc = alone(globe, chart, names, width)
+    disc = single_disc(globe, chart, names, width)
     disc.map_points(moved)
     shown, _ = disc.draw(colours.paint, both_ends=globe.whole.circle_count <= _BOTH_ENDS)
     explain_regions(disc.scene, colours, names, shown)
@@ -453,12 +453,14 @@ def _central_direction(globe: Globe) -> IntegerVector:
         nearest = np.where(inside > _AT_LIMB, inside, 1.0).min(axis=1).round(3)
         best = max(range(len(rays)), key=lambda v: (kept[v], nearest[v], rays[v]))
         if kept[best] > 2:
-            return _along(rays[best], [rays[v] for v in np.flatnonzero(inside[best] < _AT_LIMB)])
+            return _direction_near(
+                rays[best], [rays[v] for v in np.flatnonzero(inside[best] < _AT_LIMB)]
+            )
     halves = [v for v in views(*[range(-3, 4)] * 3) if v == unoriented(v)]
     return best_view(halves, lambda seen: [_evenness(picture_axes(v), lines) for v in seen])
 
 
-def _along(ray: IntegerVector, others: Sequence[IntegerVector]) -> IntegerVector:
+def _direction_near(ray: IntegerVector, others: Sequence[IntegerVector]) -> IntegerVector:
     """Return a direction near a ray on whose limb the others lie, which are nearly there."""
     for one, two in combinations(others, 2):
         normal = reduced(cross(one, two))

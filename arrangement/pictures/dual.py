@@ -38,7 +38,7 @@ from arrangement.pictures.globe import (
     Disc,
     Globe,
     clear_direction,
-    front,
+    front_half,
     orthographic,
     rim_width,
 )
@@ -305,7 +305,7 @@ def draw_dual(
     radius = size / 2 - rim_width(scene, globe, names)
     if sphere:
         ink = None if hull else letter_colour
-        seen = front(globe, orthographic)
+        seen = front_half(globe, orthographic)
         disc = Disc(scene, first, radius, globe, seen, names, ink, True)
         _sphere(disc, colours.paint, points, (0.0, first[1] - size / 2, size, scene.height))
         disc.map_points(moved)

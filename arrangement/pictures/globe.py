@@ -530,7 +530,7 @@ def _is_unseen(outline: Floats, narrow: bool) -> bool:
     return 2 * area < LINE_WIDTH * length
 
 
-def alone(
+def single_disc(
     globe: Globe, drawn: Drawn, names: RegionLabels, width: float, *, solid: bool = False
 ) -> Disc:
     """Return a disc that fills its scene; `width` in millimetres."""
@@ -551,7 +551,7 @@ def rim_width(scene: Scene, globe: Globe, names: RegionLabels | None = None) -> 
     return max([RIM, beside, *widths])
 
 
-def front(globe: Globe, projection: Projection) -> Drawn:
+def front_half(globe: Globe, projection: Projection) -> Drawn:
     """Return the arrangement with the limb as one more circle, in a projection."""
     return Drawn(globe.cut, globe.points, globe.normals, projection)
 
@@ -607,7 +607,7 @@ def draw_sphere(
     arrangement, camera, moved = in_coordinates(coordinates, arrangement, camera)
     globe = Globe(arrangement, camera, azimuth)
     colours = globe.colouring(colour)
-    disc = alone(globe, front(globe, orthographic), names, width, solid=True)
+    disc = single_disc(globe, front_half(globe, orthographic), names, width, solid=True)
     arms, arrows = [], []
     if shown:
         disc = replace(disc, radius=within_reach(globe.axes.T, disc.scene.width / 2, disc.radius))

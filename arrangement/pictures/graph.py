@@ -445,7 +445,7 @@ def draw_poset(
     heights = np.array(distances(arrangement, regions, first))
     across, rows = np.empty(len(signs)), Counter(heights.tolist())
     most = max(rows.values())
-    sums = _risen(arrangement, first, signs, heights)
+    sums = _zonotope_places(arrangement, first, signs, heights)
     for row, count in rows.items():
         members = np.flatnonzero(heights == row)
         order = members[np.argsort(sums[members], kind="stable")]
@@ -465,7 +465,7 @@ def draw_poset(
     return scene
 
 
-def _risen(
+def _zonotope_places(
     arrangement: Arrangement, first: Face, signs: tuple[tuple[int, ...], ...], heights: Floats
 ) -> Floats:
     """Return how far to the right each region is on a zonotope whose edges all rise by one.

@@ -59,10 +59,10 @@ from arrangement.pictures.coordinates import in_coordinates, planes_view
 from arrangement.pictures.globe import (
     Drawn,
     Globe,
-    alone,
     label_regions,
     region_signs,
     sign_vectors,
+    single_disc,
     stereographic,
 )
 from arrangement.pictures.names import (
@@ -521,7 +521,7 @@ class _Sheet:
         line = self.edges[edge]
         others = [*(other for e, other in self.edges.items() if e != edge), *self.arms]
         off = keep_off(others)
-        centres = np.array([_along(line, t) for t in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)])
+        centres = np.array([_point_at(line, t) for t in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)])
         look: dict[str, Any] = {"off": off, "color": BLUE}
         if write_if_free(self.scene, [text], SIZES, fixed_places(centres), **look):
             left, low, right, high = self.scene.boxes[-1]
@@ -539,7 +539,10 @@ class _Sheet:
             if not len(points):
                 continue
             share = min(0.3, 9 / float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum()))
-            start, way = _along(points, share), _along(points, 1.1 * share) - _along(points, share)
+            start, way = (
+                _point_at(points, share),
+                _point_at(points, 1.1 * share) - _point_at(points, share),
+            )
             way /= np.linalg.norm(way)
             left = np.array([-way[1], way[0]])
             sides = {
@@ -689,7 +692,7 @@ class _DiscSheet(_Sheet):
 
     def draw(self, width: float) -> None:
         chart = self.chart
-        self.disc = alone(chart.globe, chart.drawn, self.names, width)
+        self.disc = single_disc(chart.globe, chart.drawn, self.names, width)
         self.scene = self.disc.scene
         self.outlines, self.rim, _ = self.disc.curves(self.paint, both_ends=True)
         # What meets across the rim is one region, with the sides of both parts.
@@ -724,7 +727,7 @@ class _DiscSheet(_Sheet):
         self.scene.maps.append(PageMap(place=place))
 
 
-def _along(points: Floats, share: float) -> Floats:
+def _point_at(points: Floats, share: float) -> Floats:
     """Return the point at a share of the length of a polygonal line."""
     at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
     return np.array([np.interp(share * at[-1], at, column) for column in points.T])

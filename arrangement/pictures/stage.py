@@ -262,10 +262,12 @@ def _score(units: Floats, cells: Cells, lifted: Sequence[tuple[int, ...]]) -> Fl
         score = np.minimum(score, oblique.min(axis=1))
         pairs = list(combinations(unit_vectors(normals), 2))[:_MOST_PAIRS]
         # From the planes of symmetry between two of the planes, and those through two lines.
-        score = np.minimum(score, 2 * _apart(units, [m for a, b in pairs for m in (a - b, a + b)]))
+        score = np.minimum(
+            score, 2 * _distances(units, [m for a, b in pairs for m in (a - b, a + b)])
+        )
     pairs = list(combinations(unit_vectors(_lines(cells, normals)), 2))[:_MOST_PAIRS]
-    score = np.minimum(score, 3 * _apart(units, [np.cross(a, b) for a, b in pairs]))
-    for way in _ways(cells, lifted):
+    score = np.minimum(score, 3 * _distances(units, [np.cross(a, b) for a, b in pairs]))
+    for way in _lift_directions(cells, lifted):
         towards = units @ way
         score *= np.exp(-(((towards - 0.3) / 0.35) ** 2))
     return score * (1 + 0.02 * units[:, 0] - 0.05 * units[:, 1])
@@ -284,7 +286,7 @@ def _lines(cells: Cells, normals: Sequence[IntegerVector]) -> list[IntegerVector
     return sorted(line for line in crosses | fixed if any(line))
 
 
-def _apart(units: Floats, normals: Sequence[Floats]) -> Floats:
+def _distances(units: Floats, normals: Sequence[Floats]) -> Floats:
     """Return how far each view is from planes; normals of length 0 do not count."""
     rows = np.array(normals).reshape(-1, 3)
     lengths = np.linalg.norm(rows, axis=1)
@@ -293,7 +295,7 @@ def _apart(units: Floats, normals: Sequence[Floats]) -> Floats:
     return apart
 
 
-def _ways(cells: Cells, lifted: Sequence[tuple[int, ...]]) -> Floats:
+def _lift_directions(cells: Cells, lifted: Sequence[tuple[int, ...]]) -> Floats:
     """Return the unit directions from the centre to the lifted cells."""
     points = unit_points(cells)
     chosen = [cell.faces for cell in cells.cells if cell.signs in lifted]

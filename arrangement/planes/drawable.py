@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.plugins import attached
+from arrangement.console.plugins import method_code
 
 if TYPE_CHECKING:
     from arrangement.drawing.path_artist import Drawing
@@ -30,5 +30,5 @@ class DrawableArrangement:
             InputError: an unknown view or option, or planes that the view cannot show.
             MissingExtraError: matplotlib is absent.
         """
-        made: Drawing = attached("Arrangement.draw").draw(self, view, **options)
+        made: Drawing = method_code("Arrangement.draw").draw(self, view, **options)
         return made

@@ -18,7 +18,7 @@ import numpy as np
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.progress import watched
-from arrangement.console.workers import done, due
+from arrangement.console.workers import part_numbers, run_parts
 from arrangement.errors import hints_on_arguments
 from arrangement.numbers import budget
 from arrangement.numbers.arguments import entries
@@ -258,7 +258,7 @@ class Solver(ReprMixin):
         applied = [self.grasp.read_wrench(wrench) for wrench in rows]
         starts = range(0, len(applied), WRENCHES_PER_TASK)
         tasks = [applied[k : k + WRENCHES_PER_TASK] for k in starts]
-        due(len(tasks), (1, 1), jobs)
+        part_numbers(len(tasks), (1, 1), jobs)
         jobs = self._processes(len(applied), len(tasks), jobs)
         if jobs == 1 and dask is None:
             memories = chain.from_iterable(repeat(new_memory(), len(task)) for task in tasks)
@@ -301,7 +301,7 @@ class Solver(ReprMixin):
     ) -> Iterator[Verdict]:
         job = (self.grasp, self.max_displacement, self.pyramid), tasks, budget.times()
         early: dict[int, list[Solution | Refutation | Open]] = {}
-        answered = done(_outcomes, job, range(len(tasks)), jobs, dask)
+        answered = run_parts(_outcomes, job, range(len(tasks)), jobs, dask)
         results = iter(watched(answered, "parts of wrenches", len(tasks)))
         for number, task in enumerate(tasks):
             while number not in early:

@@ -16,7 +16,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, ClassVar
 
-from arrangement.console.plugins import attached
+from arrangement.console.plugins import method_code
 from arrangement.errors import HintsMixin, OutOfReachError
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
@@ -537,10 +537,10 @@ class Verdict(AboutCaseMixin, HintsMixin):
         """
         if isinstance(self.subject, Assembly):
             return None
-        text: str | None = attached("Verdict._repr_html_")(self)
+        text: str | None = method_code("Verdict._repr_html_")(self)
         return text
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: bodies, wrenches and the forces of an equilibrium."""
-        text: str | None = attached("Verdict._repr_svg_")(self)
+        text: str | None = method_code("Verdict._repr_svg_")(self)
         return text

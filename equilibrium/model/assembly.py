@@ -18,7 +18,7 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from arrangement.console.number_form import counted
-from arrangement.console.plugins import attached
+from arrangement.console.plugins import method_code
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import HintsMixin
 from arrangement.library.files.json_files import check_keys, check_list
@@ -333,7 +333,7 @@ class Assembly(HintsMixin, ContactValuesMixin):
         >>> made, [str(x) for x in made.weights["block"]]
         (<Assembly: 1 body, 2 contacts>, ['0', '-2', '-2'])
         """
-        made: Assembly = attached("Assembly.from_polygons")(polygons, friction, **options)
+        made: Assembly = method_code("Assembly.from_polygons")(polygons, friction, **options)
         return made
 
     @classmethod

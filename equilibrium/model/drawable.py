@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from arrangement.console.plugins import attached
+from arrangement.console.plugins import method_code
 
 if TYPE_CHECKING:
     from arrangement.drawing.path_artist import Drawing
@@ -30,5 +30,5 @@ class DrawableGrasp:
             InputError: an unknown view or option, or a grasp that the view cannot show.
             MissingExtraError: matplotlib is absent.
         """
-        made: Drawing = attached("Grasp.draw").of(self).draw(self, view, **options)
+        made: Drawing = method_code("Grasp.draw").of(self).draw(self, view, **options)
         return made

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 # Its facade is loaded when a grasp is asked for its planes; the checker never does.
 import arrangement
 from arrangement.console.number_form import counted
-from arrangement.console.plugins import attached
+from arrangement.console.plugins import method_code
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import HintsMixin, hints_on_assignment, missing_item
 from arrangement.library.files.json_files import check_all, check_keys, check_list
@@ -416,11 +416,11 @@ class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
         Raises:
             InputError: more than 8 contacts, or contacts in space.
         """
-        return attached("Grasp.lab")(self)
+        return method_code("Grasp.lab")(self)
 
     def _repr_svg_(self) -> str | None:
         """Return what a notebook shows: the picture, where matplotlib is installed."""
-        text: str | None = attached("Grasp._repr_svg_")(self)
+        text: str | None = method_code("Grasp._repr_svg_")(self)
         return text
 
     def to_dict(self) -> dict[str, Any]:
@@ -440,7 +440,7 @@ class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
         if ending not in (".json", ".csv"):
             raise GraspError(f"the file name ends in {shown(ending)}; expected .json or .csv")
         if ending == ".csv":
-            text: str = attached("Grasp.save")(self)
+            text: str = method_code("Grasp.save")(self)
         else:
             text = json.dumps(self.to_dict(), indent=1) + "\n"
         write_text_atomically(path, text)

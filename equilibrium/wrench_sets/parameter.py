@@ -17,7 +17,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arrangement.console.number_form import ReprMixin
-from arrangement.console.plugins import attached
+from arrangement.console.plugins import method_code
 from arrangement.errors import hints_on_arguments
 from arrangement.library.files.json_files import Source
 from arrangement.numbers.exact import rational, shown, simplest_between, to_text
@@ -171,7 +171,7 @@ class ResistedValues(ReprMixin):
         Args:
             options: width, in millimetres.
         """
-        drawing: Drawing = attached("ResistedValues.draw")(self, **options)
+        drawing: Drawing = method_code("ResistedValues.draw")(self, **options)
         return drawing
 
     def to_dict(self) -> dict[str, Any]:

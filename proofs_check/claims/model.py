@@ -125,7 +125,7 @@ def _by_elimination(grasp: Grasp, closed: bool = False) -> tuple[int, int]:
         turned = [side * x for x in row]
         return (*turned[:3], room, turned[-1])
 
-    def grown(i: int, attached: bool, equal: list[Row], rows: list[Row]) -> tuple[int, int]:
+    def count_from(i: int, attached: bool, equal: list[Row], rows: list[Row]) -> tuple[int, int]:
         if not _possible(equal, rows):
             return 0, 0
         if i == len(grasp):
@@ -135,14 +135,14 @@ def _by_elimination(grasp: Grasp, closed: bool = False) -> tuple[int, int]:
         gap: Row = (*normal, Fraction(0), -contact.preload)
         slip: Row = (*contact.tangential_wrench, Fraction(0), Fraction(0))
         if attached:
-            ways = [grown(i + 1, False, equal, [*rows, within(slip, s)]) for s in (1, -1)]
-            ways.append(grown(i + 1, False, [*equal, slip], rows))
+            ways = [count_from(i + 1, False, equal, [*rows, within(slip, s)]) for s in (1, -1)]
+            ways.append(count_from(i + 1, False, [*equal, slip], rows))
         else:
-            ways = [grown(i + 1, False, equal, [*rows, gap])]
-            ways.append(grown(i, True, equal, [*rows, within(gap, -1)]))
+            ways = [count_from(i + 1, False, equal, [*rows, gap])]
+            ways.append(count_from(i, True, equal, [*rows, within(gap, -1)]))
         return 1 + sum(nodes for nodes, _ in ways), sum(ends for _, ends in ways)
 
-    return grown(0, False, [], [])
+    return count_from(0, False, [], [])
 
 
 def _possible(equalities: list[Row], inequalities: list[Row]) -> bool:

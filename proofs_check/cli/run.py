@@ -210,7 +210,7 @@ def _results(
     def tick(cases: int) -> None:
         bar.update(done, f"{chosen[done].id}, {cases} cases")
 
-    due = workers.due(len(chosen), (1, 1), jobs)
+    due = workers.part_numbers(len(chosen), (1, 1), jobs)
     jobs = min(jobs, len(chosen))
     numbered = (
         workers.on_processes(_result, request, due, jobs)

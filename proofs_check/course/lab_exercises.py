@@ -154,7 +154,7 @@ def _states(wanted: list[str], grasp: Grasp, wrench: Any, motion: Any) -> Judged
 def _gap(_: bool, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
     if not any(wrench):
         return "the load is 0, so there is no ray"
-    intervals = _along(grasp, wrench)
+    intervals = _resisted_multiples(grasp, wrench)
     if holds(intervals, Fraction(1)):
         return "the grasp resists this load"
     weaker = any(high is not None and high < 1 for _, high in intervals)
@@ -162,7 +162,7 @@ def _gap(_: bool, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
     return (weaker and stronger) or f"no {'stronger' if weaker else 'weaker'} load is resisted"
 
 
-def _along(grasp: Grasp, wrench: Any) -> tuple[Interval, ...]:
+def _resisted_multiples(grasp: Grasp, wrench: Any) -> tuple[Interval, ...]:
     """Return the multiples of a load that a planar grasp resists."""
     resisted: Any = ResistedSet(grasp).along(wrench)
     intervals: tuple[Interval, ...] = resisted.intervals
@@ -170,7 +170,7 @@ def _along(grasp: Grasp, wrench: Any) -> tuple[Interval, ...]:
 
 
 def _border(_: bool, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
-    intervals = _along(grasp, wrench) if any(wrench) else ()
+    intervals = _resisted_multiples(grasp, wrench) if any(wrench) else ()
     return bool(intervals and intervals[-1][1] == 1) or "this is not the greatest load of its ray"
 
 

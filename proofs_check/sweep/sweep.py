@@ -276,7 +276,7 @@ def sweep(
         InputError: a bad argument, workers that keep dying.
         MissingExtraError: `dask` is given and not installed.
     """
-    due = workers.due(plan.chunks, shard, jobs)
+    due = workers.part_numbers(plan.chunks, shard, jobs)
     claim = about(_target(plan))
     if _has(path, plan, due):  # it may be on read-only media
         return ShardWork(len(due), 0)
@@ -287,7 +287,7 @@ def sweep(
         done = samples - sum(len(plan.indices(number)) for number in pending)
         if progress:
             progress(done, samples)
-        for chunk in workers.done(run_chunk, plan, pending, jobs, dask):
+        for chunk in workers.run_parts(run_chunk, plan, pending, jobs, dask):
             opened.add(chunk)
             done += len(plan.indices(chunk.number))
             if progress:

@@ -177,8 +177,10 @@ def build(folder: str, jobs: int = 1, planes: int = 9) -> Arrays:
 def _every_extension(plan: _Workload, jobs: int) -> _Extensions:
     """Extend all arrangements in parts, which are kept, and number the types by their codes."""
     total = -(-len(normals(plan.n)) // _PART)
-    pending = [k for k in workers.due(total, (1, 1), jobs) if not plan.file(f"types-{k}").exists()]
-    done = workers.done(_extended, plan, pending, jobs)
+    pending = [
+        k for k in workers.part_numbers(total, (1, 1), jobs) if not plan.file(f"types-{k}").exists()
+    ]
+    done = workers.run_parts(_extended, plan, pending, jobs)
     for number, part in watched(done, "parts of the types", len(pending)):
         _write(plan.file(f"types-{number}"), part)
     whole = _joined([_read(plan.file(f"types-{k}")) for k in range(total)])
@@ -212,7 +214,7 @@ def _realize(plan: _Workload, every: _Extensions, found: _Found, jobs: int) -> N
         todo = _todo(plan, every, found)
         _write(plan.file("todo"), todo)
         parts = range(-(-len(todo["parents"]) // _PART))
-        done = workers.done(_tried, plan, parts, jobs)
+        done = workers.run_parts(_tried, plan, parts, jobs)
         whole = _joined(list(watched(done, f"parts of round {plan.round}", len(parts))))
         order = np.lexsort((whole["parents"], whole["places"], whole["types"]))
         _, first = np.unique(whole["types"][order], return_index=True)

@@ -17,7 +17,7 @@ from pathlib import Path
 from shlex import join, quote
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from arrangement.console.plugins import added, named
+from arrangement.console.plugins import import_object, registry_entries
 from arrangement.numbers.exact import shown
 
 from .values import count_argument, integer_argument
@@ -288,9 +288,9 @@ def _nearest(program: Parser, word: str, words: Sequence[str]) -> str:
 
 def _siblings(program: str) -> Iterator[Parser]:
     """Yield the other programs that are installed."""
-    for name, place in added("programs").items():
+    for name, place in registry_entries("programs").items():
         if name != program.partition(" ")[0]:
-            yield named(place)()
+            yield import_object(place)()
 
 
 def unknown_command(program: Parser, word: str) -> tuple[str, list[Entry]]:

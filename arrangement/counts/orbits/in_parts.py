@@ -98,7 +98,7 @@ def first_whitney_numbers_in_parts(
         parts = _PARTS if bases > _MANY_BASES else max(_PARTS_OF_FEW, shard[1])
     if parts > _MAX_PARTS:
         raise InputError(f"parts is {shown(parts)}; expected at most {_MAX_PARTS:,}")
-    if not workers.due(parts, shard, jobs):
+    if not workers.part_numbers(parts, shard, jobs):
         raise InputError(f"parts is {shown(parts)} and shard {shard}; give a part to each shard")
     _prepare(Path(root), config, parts)
     made = _read_plan(root)
@@ -108,9 +108,11 @@ def first_whitney_numbers_in_parts(
         for rank in range(1, made.classes.rank):
             parts = made.parts(rank)
             missing = _missing(root, rank, parts)
-            due = workers.due(parts, shard, jobs) if parts > 1 else range(1)
+            due = workers.part_numbers(parts, shard, jobs) if parts > 1 else range(1)
             todo = [part for part in due if part in missing]
-            done = workers.done(_run, (root, rank), todo, *((jobs, dask) if flats > _FEW else ()))
+            done = workers.run_parts(
+                _run, (root, rank), todo, *((jobs, dask) if flats > _FEW else ())
+            )
             for _ in watched(done, f"parts of rank {rank}", len(todo)):
                 deadline.check()
             if missing := _missing(root, rank, parts):
@@ -234,7 +236,7 @@ def _run(plan: tuple[str, int], part: int) -> None:
     root, rank = plan
     made = _read_plan(root)
     with budget.limit(math.inf):
-        higher, residues = made.classes.above(_below(root, rank, part), rank)
+        higher, residues = made.classes.above(_flats_before(root, rank, part), rank)
     bucket = np.empty(0, dtype=np.uint64)
     if len(higher):
         factors = np.cumprod(np.full(higher.images.shape[1], _FACTOR))
@@ -260,7 +262,7 @@ def _run(plan: tuple[str, int], part: int) -> None:
     write_bytes_atomically(_place(root, rank, part), stream.getvalue())
 
 
-def _below(root: str, rank: int, part: int) -> Flats:
+def _flats_before(root: str, rank: int, part: int) -> Flats:
     """Return the flats of the rank before, one of each class of this part."""
     made = _read_plan(root)
     if rank == 1:

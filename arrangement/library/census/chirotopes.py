@@ -281,7 +281,7 @@ def extensions(signs: Signs, n: int) -> Signs:
     values = np.zeros((1, point.max() + 1), dtype=np.int8)
     known = np.zeros(point.max() + 1, dtype=bool)
     for line in range(n):
-        on, patterns = _along(chi, line, point, side)
+        on, patterns = _sign_patterns(chi, line, point, side)
         shared = known[on]
         fits = (values[:, None, on[shared]] == patterns[None, :, shared]).all(2)
         row, pattern = np.nonzero(fits)
@@ -312,7 +312,7 @@ def _points(chi: Signs) -> tuple[NDArray[np.intp], Signs]:
     return point, side
 
 
-def _along(
+def _sign_patterns(
     chi: Signs, line: int, point: NDArray[np.intp], side: Signs
 ) -> tuple[NDArray[np.intp], Signs]:
     """Return the points of a line in order, and every way that signs may go along them."""

@@ -35,7 +35,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
-from arrangement.console.plugins import added, named
+from arrangement.console.plugins import import_object, registry_entries
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import (
     check_document,
@@ -74,7 +74,7 @@ def arrangement_of(document: Any, name: str) -> Arrangement:
 def figure_of(document: Any, name: str) -> Arrangement | Segments:
     """Return what a document called `name` stands for."""
     own: dict[str, _Read] = {"planes": _planes, "polygon": _polygon, "segments": _segments}
-    others = added("documents")
+    others = registry_entries("documents")
     try:
         fields = check_document(document, [*own, *others], name)
     except InputError as error:
@@ -82,7 +82,7 @@ def figure_of(document: Any, name: str) -> Arrangement | Segments:
             raise
         raise InputError(f"{error}. {_FORM}") from None
     kind = next(key for key in (*own, *others) if key in fields)
-    made: Arrangement | Segments = (own.get(kind) or named(others[kind]))(fields)
+    made: Arrangement | Segments = (own.get(kind) or import_object(others[kind]))(fields)
     return made
 
 

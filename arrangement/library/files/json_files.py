@@ -21,7 +21,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 
-from arrangement.console.plugins import added, named
+from arrangement.console.plugins import import_object, registry_entries
 from arrangement.console.writing import reason
 from arrangement.errors import InputError
 from arrangement.numbers import budget
@@ -144,14 +144,14 @@ def descriptions(kind: str) -> dict[str, str]:
 def instances() -> dict[str, Traversable]:
     """Return every built-in document by name, in alphabetical order."""
     paths: dict[str, Traversable] = {}
-    for place in added("instances").values():
-        paths.update(named(place)())
+    for place in registry_entries("instances").values():
+        paths.update(import_object(place)())
     return dict(sorted(paths.items()))
 
 
 def _built_in(name: str) -> Traversable | None:
     """Return the built-in document of a name, from the first package that has it."""
-    tables = (named(place)() for place in added("instances").values())
+    tables = (import_object(place)() for place in registry_entries("instances").values())
     return next((table[name] for table in tables if name in table), None)
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from arrangement.arrangement import Arrangement
-from arrangement.console.plugins import added, named
+from arrangement.console.plugins import import_object, registry_entries
 from arrangement.console.writing import document_text, write_text_atomically
 from arrangement.errors import InputError, hints_on_arguments
 from arrangement.library.files.documents import Format
@@ -118,7 +118,7 @@ def read_with_rest(
     if (table := documents.document_of_table(text, name)) is not None:
         return read(table, name), ""
     if not form.recognises(text) and not text.lstrip().startswith(("{", "[")):
-        tables = (named(place)(text) for place in added("tables").values())
+        tables = (import_object(place)(text) for place in registry_entries("tables").values())
         if (table := next((x for x in tables if x is not None), None)) is not None:
             return table, ""
     if form.name == "json":

@@ -10,9 +10,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from arrangement.console.number_form import ReprMixin, counted
-from arrangement.console.plugins import attached
+from arrangement.console.plugins import method_code
 from arrangement.console.progress import watched
-from arrangement.console.workers import done, due
+from arrangement.console.workers import part_numbers, run_parts
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, from_floats
@@ -90,7 +90,7 @@ class CheckedGrasps(ReprMixin):
             Both are inf where no coefficient is enough, and the second where none was found.
         """
         grasps = list(map(self.grasp, range(len(self.resisted))))
-        brackets: Floats = attached("CheckedGrasps.closure_friction")(grasps, tolerance)
+        brackets: Floats = method_code("CheckedGrasps.closure_friction")(grasps, tolerance)
         return brackets
 
 
@@ -190,13 +190,13 @@ def _checked(
     shape = arrays[-1].shape[:2]
     screened, resisted, exact, undecided = (np.zeros(shape, dtype=bool) for _ in range(4))
     asked: Booleans = np.all(~np.isnan(arrays[-1]), axis=2)
-    due(shape[0], (1, 1), jobs)
+    part_numbers(shape[0], (1, 1), jobs)
     # Those of as many contacts together: arrays are small then.
     present = ~np.isnan(arrays[0][..., 0])
     order = np.argsort(np.count_nonzero(present, axis=1), kind="stable")
     size = max(1, _NUMBERS // ((3 + present.shape[1]) ** 2 * max(shape[1], 1)))
     batches = [(rows, rounded, _part(arrays, rows)) for rows in _batches(order, size)]
-    parts = done(_screened, None, batches, jobs, dask)
+    parts = run_parts(_screened, None, batches, jobs, dask)
     for rows, holds, decided in watched(parts, "batches of grasps", len(batches)):
         resisted[rows], screened[rows] = holds, decided
     left = asked & ~screened
@@ -211,7 +211,7 @@ def _checked(
         )
         for i in np.flatnonzero(left.any(axis=1)).tolist()
     ]
-    results = done(_exactly, budget.times(), tasks, jobs, dask)
+    results = run_parts(_exactly, budget.times(), tasks, jobs, dask)
     for number, answers in watched(results, "grasps", len(tasks)):
         for load, answer in answers:
             (undecided if answer is None else exact)[number, load] = True
