@@ -83,7 +83,13 @@ class OpenSplit(NamedTuple):
 
 
 class RoundCones:
-    """``|c_t| <= mu c_n``, and ``c_t = -mu c_n s / |s|`` at a slip s."""
+    """``|c_t| <= mu c_n``, and ``c_t = -mu c_n s / |s|`` at a slip s.
+
+    Attributes:
+        smooth: of slips, shares of friction limits made smooth, and minus how they change.
+    """
+
+    smooth = staticmethod(smooth_slip)
 
     def in_conditions(
         self, mu: Fraction, state: State, friction: Sequence[Side] = ()
@@ -125,10 +131,6 @@ class RoundCones:
         miss = friction + (limit / np.maximum(size, 1e-300))[:, None] * slip
         missed: Floats = np.hypot(*miss.T)
         return missed
-
-    def smooth(self, slip: Floats, eps: Any) -> tuple[Floats, Floats]:
-        """Return shares of friction limits (m, 2), made smooth, and minus how they change."""
-        return smooth_slip(slip, eps)
 
     def below(self, room: int, mu: Fraction, b: Sequence[int], state: State) -> bool:
         """Return whether ``room >= mu x . b`` for all unit vectors x that the state allows."""
@@ -296,6 +298,8 @@ _SIGNS = [Slip(((Fraction(x),),), ((Fraction(x),),)) for x in (1, -1)]
 class LineCones(Pyramids):
     """Friction along one tangent, ``|c_t| <= mu c_n``: a pyramid of two edges, the signs."""
 
+    smooth = staticmethod(smooth_slip)
+
     def __init__(self) -> None:
         self.all = list(_SIGNS)
         self.edges = self.normals = [slip.edges[0] for slip in self.all]
@@ -311,10 +315,6 @@ class LineCones(Pyramids):
         ratio, _ = self.smooth(slip, eps)
         slips: Floats = np.where(np.abs(ratio) > SLIP_SHARE, -np.sign(ratio), 0.0)
         return slips
-
-    def smooth(self, slip: Floats, eps: Any) -> tuple[Floats, Floats]:
-        """Return shares of friction limits (m, 1), made smooth, and minus how they change."""
-        return smooth_slip(slip, eps)
 
     def slips(self, states: Node, i: int, slip: Floats) -> OpenSplit | None:
         """Return the split of a contact by its slip; None if that is decided."""

@@ -25,7 +25,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any, NamedTuple, TypeAlias
@@ -175,6 +175,10 @@ class LinearQuestion:
     signs: tuple[int, ...] = ()
     chords: tuple[RationalVector, ...] = ()
     keeps_normal: bool = False
+    #: Conditions by contact and state, as far as they were asked for.
+    _known: dict[tuple[int, State], ContactConditions] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     @cached_property
     def _frames(self) -> list[list[Terms]]:
@@ -220,15 +224,11 @@ class LinearQuestion:
             add(line, expression(row))
         return lines
 
-    @cached_property
-    def _conditions(self) -> dict[tuple[int, State], ContactConditions]:
-        return {}
-
     def conditions(self, i: int, state: State) -> ContactConditions:
         """Return the law of a contact in a state."""
-        if (i, state) not in self._conditions:
-            self._conditions[i, state] = self.law(i, state)
-        return self._conditions[i, state]
+        if (i, state) not in self._known:
+            self._known[i, state] = self.law(i, state)
+        return self._known[i, state]
 
     def motion_rows(self, i: int, state: State) -> list[tuple[IntegerVector, bool]]:
         """Return the conditions of a state on the motion alone, without t.
@@ -352,7 +352,7 @@ class LinearQuestion:
     def with_load(self, load: RationalVector) -> LinearQuestion:
         """Return the question of another load, with what is known of the contacts."""
         other = replace(self, load=load)
-        for name in ("_frames", "symbols", "_conditions"):
+        for name in ("_frames", "symbols", "_known"):
             other.__dict__[name] = getattr(self, name)
         return other
 

@@ -137,27 +137,28 @@ class ContactProgram:
         _, pivots, _ = self._reduced
         return None if self.size in pivots else self.size - len(pivots)
 
-    def only_solution(self) -> Solution | None:
-        """Return the one point that equations leave, if it is a solution."""
-        point = self.completed([Fraction(0)] * self.size)
-        return self.admitted(point)
-
-    def admitted(self, point: Sequence[Fraction]) -> Solution | None:
+    def admitted(self, point: Sequence[Fraction] | None) -> Solution | None:
         """Return the motion and the forces of a solution of the equations, if it is one of all."""
-        at = self.values(point)
-        return self._at(point, at) if all(at.of(x.terms) >= 0 for x in self._least) else None
+        at = None if point is None else self.values(point)
+        if at is None or any(at.of(x.terms) < 0 for x in self._least):
+            return None
+        return self.at(at)
 
-    def completed(self, near: Sequence[Fraction]) -> list[Fraction]:
-        """Return the solution of consistent equations that has these numbers where they leave any.
+    def completed(self, near: Sequence[Fraction]) -> list[Fraction] | None:
+        """Return the solution of the equations that has these numbers where they leave any.
+
+        None if they contradict each other.
 
         Args:
-            near: of the motion, and of `unknowns`.
+            near: of the motion, and of `unknowns`; 0 for those that are left out.
         """
         rows, pivots, scale = self._reduced
-        point = list(near)
+        if self.size in pivots:
+            return None
+        point = [*near, *[Fraction(0)] * (self.size - len(near))]
         free = [k for k in range(self.size) if k not in pivots]
         for row, pivot in zip(rows, pivots, strict=False):
-            rest = row[-1] + sum(row[k] * near[k] for k in free)
+            rest = row[-1] + sum(row[k] * point[k] for k in free)
             point[pivot] = Fraction(-rest) / scale
         return point
 
@@ -245,15 +246,13 @@ class ContactProgram:
 
     def solution(self) -> Solution | None:
         """Return the solution that the last program ended with; None if there is none."""
-        return None if (point := self._point()) is None else self.at(point)
+        return None if (point := self._point()) is None else self.at(self.values(point))
 
-    def at(self, point: Sequence[Fraction]) -> Solution:
+    def at(self, values: Values) -> Solution:
         """Return the motion and the forces of a solution."""
-        return self._at(point, self.values(point))
-
-    def _at(self, point: Sequence[Fraction], at: Values) -> Solution:
-        forces = [tuple(map(at.fraction, terms)) for terms in self.forces]
-        return Solution(tuple(point[: self.question.rows.n]), tuple(forces))
+        motion = (values.fraction({j: 1}) for j in range(self.question.rows.n))
+        forces = (tuple(map(values.fraction, terms)) for terms in self.forces)
+        return Solution(tuple(motion), tuple(forces))
 
     def holds(self, solution: Solution) -> bool:
         """Return whether motion and forces are a solution of a program without t."""
@@ -266,7 +265,7 @@ class ContactProgram:
         return (
             not any(at.of(x.terms) for x in self._equal)
             and all(at.of(x.terms) >= 0 for x in self._least)
-            and self.at(point).forces == solution.forces
+            and self.at(at).forces == solution.forces
         )
 
     def leaf(self) -> Leaf | None:

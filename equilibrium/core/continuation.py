@@ -99,7 +99,7 @@ class Continuation:
         """Return a motion of less residual: Newton steps, damped where they fail."""
         value, derivative = self.balance.smoothed(motion, eps)
         jacobian = derivative()
-        residual, damping = _length(value), 0.0
+        residual, damping = math.sqrt(value @ value), 0.0
         step_of: Callable[[Floats, float], Floats] | None = None
         for _ in range(_MAX_NEWTON_STEPS):
             if not np.isfinite(jacobian).all() or residual <= NEWTON_RESIDUAL * self.size:
@@ -108,7 +108,7 @@ class Continuation:
             step_of = step_of or _steps(jacobian * self.scale)
             step = self.scale * step_of(value, damping)
             tried_value, derivative = self.balance.smoothed(motion + step, eps)
-            tried = _length(tried_value)
+            tried = math.sqrt(tried_value @ tried_value)
             if tried < residual:
                 stalled = tried > 0.999 * residual
                 motion = motion + step
@@ -121,10 +121,6 @@ class Continuation:
             else:
                 damping = max(30 * damping, 1e-10)
         return motion, residual
-
-
-def _length(value: Floats) -> float:
-    return math.sqrt(value @ value)
 
 
 def _steps(jacobian: Floats) -> Callable[[Floats, float], Floats]:

@@ -114,12 +114,13 @@ class ExactParts:
             return ContactState.of("stick", 2)._replace(share=share)
 
         program = ContactProgram(self.question, tuple(self._decided(states, stick)))
-        if program.freedom is None:
-            return
         forces = [float(states.forces[i, 1 + j]) for _, i, j in program.unknowns]
         for motion in motions:
             near = [round(_OPEN_DENOMINATOR * x) for x in (*motion.tolist(), *forces)]
-            yield program.at(program.completed([Fraction(x, _OPEN_DENOMINATOR) for x in near]))
+            point = program.completed([Fraction(x, _OPEN_DENOMINATOR) for x in near])
+            if point is None:
+                return
+            yield program.at(program.values(point))
 
     def _decided(self, states: States, stick: Callable[[int, Fraction], State]) -> list[State]:
         """Return the conditions of given states, with those of contacts that stick."""

@@ -249,11 +249,8 @@ class Leaves:
 
     def in_floats(self, leaf: Leaf) -> FloatLeaf:
         """Return a leaf in floats."""
-        if self._last is None or self._last[0] is not leaf:
-            self._last = leaf, self._in_floats(leaf)
-        return self._last[1]
-
-    def _in_floats(self, leaf: Leaf) -> FloatLeaf:
+        if self._last is not None and self._last[0] is leaf:
+            return self._last[1]
         unit = 1 << max(abs(x) for x in leaf.motion).bit_length()
         c, motion = self.contacts, np.array([x / unit for x in leaf.motion])
         rows = np.zeros((len(self.each), self.size))
@@ -266,7 +263,7 @@ class Leaves:
         # test_contacts_of_leaves_obey_the_rule_of_certificates.
         alpha, moved = rows[:, 0], self._frames @ motion
         slip = moved[:, :-1]
-        return FloatLeaf(
+        about = FloatLeaf(
             motion,
             work + float(alpha @ c.preload),
             moved[:, -1] - alpha,
@@ -276,6 +273,8 @@ class Leaves:
             rows[:, 1:],
             slip,
         )
+        self._last = leaf, about
+        return about
 
 
 def ratio(x: Any, unit: int) -> float:

@@ -61,7 +61,7 @@ class Engine(ABC):
             load: of an assembly the wrenches on its bodies in a row.
             shorten: look longer for a smaller proof.
             nodes: of a tree in space, or of several bodies.
-            memory: what proofs in space leave for other loads.
+            memory: what proofs in space leave for other loads; by default that of this engine.
 
         Raises:
             TimeLimitError: in the plane, the time has passed without an answer.
@@ -147,6 +147,11 @@ class SpatialEngine(Engine):
         """The contacts in floats, which all loads share."""
         return FloatContacts(ContactRows.of_grasp(self.grasp))
 
+    @cached_property
+    def _memory(self) -> Memory:
+        """What proofs leave for other loads."""
+        return new_memory()
+
     def outcome(
         self,
         load: RationalVector,
@@ -185,7 +190,7 @@ class SpatialEngine(Engine):
             nodes=SETTINGS.max_nodes if nodes is None else nodes,
             max_displacement=self.max_displacement,
             cones=Pyramids(self._edges) if self._edges else None,
-            memory=new_memory() if memory is None else memory,
+            memory=self._memory if memory is None else memory,
             in_plane=None if self._edges else partial(decide_in_plane, *question),
         )
 

@@ -10,7 +10,7 @@ import math
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from itertools import chain, repeat
 from typing import TYPE_CHECKING, Any, TypeAlias, overload
 
@@ -210,11 +210,6 @@ class Solver(ReprMixin):
         assert isinstance(self.engine, PlanarEngine)
         return self.engine.choices
 
-    @cached_property
-    def _memory(self) -> Memory:
-        """What proofs in space leave for other wrenches."""
-        return new_memory()
-
     def solve(
         self,
         wrench: Load,
@@ -222,33 +217,24 @@ class Solver(ReprMixin):
         time_limit: float | None = None,
         shorten: bool = False,
         nodes: int | None = None,
-    ) -> Verdict:
-        """Decide one wrench; see the function `solve`."""
-        if time_limit is None:
-            return self.decide(wrench, self._usual_effort(), shorten=shorten, nodes=nodes)
-        effort = Effort(seconds=time_limit)
-        verdict = self.decide(wrench, effort, shorten=shorten, nodes=nodes)
-        return replace(verdict, _deadline=effort)
-
-    def decide(
-        self,
-        wrench: Load,
-        effort: Effort,
-        *,
-        shorten: bool = False,
-        nodes: int | None = None,
+        steps: float | None = None,
         memory: Memory | None = None,
     ) -> Verdict:
-        """Decide one wrench with the effort that is left; see the function `solve`.
+        """Decide one wrench; see the function `solve`.
 
         Args:
+            steps: in place of the usual ones.
             memory: in space, of other wrenches; by default that of this solver.
         """
+        if time_limit is not None:
+            effort = Effort(seconds=time_limit)
+        else:
+            usual = STEPS[2 if isinstance(self.engine, PlanarEngine) else 3]
+            effort = Effort.usual(usual) if steps is None else Effort(steps)
         load = read_load(self.grasp, wrench)
-        if isinstance(self.engine, SpatialEngine) and memory is None:
-            memory = self._memory
         outcome = self.engine.outcome(load, effort, shorten=shorten, nodes=nodes, memory=memory)
-        return self._verdict(load, outcome).accepted()
+        verdict = self._verdict(load, outcome).accepted()
+        return verdict if time_limit is None else replace(verdict, _deadline=effort)
 
     def solve_many(
         self, wrenches: Iterable[Iterable[Rational]], *, jobs: int = 1, dask: str | None = None
@@ -287,10 +273,7 @@ class Solver(ReprMixin):
 
     def _search(self, wrench: RationalVector) -> SpatialSearch:
         assert isinstance(self.engine, SpatialEngine)
-        return self.engine.search(wrench, Effort(), memory=self._memory)
-
-    def _usual_effort(self) -> Effort:
-        return Effort.usual(STEPS[2 if isinstance(self.engine, PlanarEngine) else 3])
+        return self.engine.search(wrench, Effort())
 
     def _verdict(self, load: RationalVector, outcome: Solution | Refutation | Open) -> Verdict:
         case = LoadCase(self.grasp, load, self.max_displacement, self.pyramid)
@@ -316,7 +299,7 @@ class Solver(ReprMixin):
     def _one_of_many(self, wrench: RationalVector, memory: Memory) -> Verdict:
         """Decide by the choices of contact states, if they are few and none is left open."""
         if not self._has_few_contacts or not are_moderate(wrench):
-            return self.decide(wrench, self._usual_effort(), memory=memory)
+            return self.solve(wrench, memory=memory)
         piece = self.choices.first_equilibrium(wrench)
         if piece is not None:
             solution = Solution(piece.motion, piece.forces)

@@ -23,7 +23,6 @@ from equilibrium.decide.nearby import WithinError
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.displacement import read_displacement
-from equilibrium.model.effort import Effort
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
@@ -124,7 +123,7 @@ class SpatialMagnitudes:
             way = -1 if border.resisted < border.refused else 1
             t = border.resisted * (1 + way * _NEAR)
             wrench = sum_row(self.base, self.direction, t)
-            verdict = solver.decide(wrench, Effort(_STEPS))
+            verdict = solver.solve(wrench, steps=_STEPS)
             nearby.append(Nearby(t, verdict.within_error()))
         return tuple(nearby)
 

@@ -109,7 +109,7 @@ def test_construction_computes_nothing(monkeypatch):
     def refuse(*_: object) -> None:
         raise AssertionError
 
-    for name in ("choices", "solve", "decide"):
+    for name in ("choices", "solve"):
         monkeypatch.setattr(Solver, name, property(refuse))
     resisted = ResistedSet(read_grasp("paper-four-contacts"))
     assert set(vars(resisted)) == {"_solver"}

@@ -21,6 +21,7 @@ from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contacts import IntegerContacts
 from equilibrium.core.continuation import SHARPNESS_NEAR, Continuation
 from equilibrium.core.float_law import Balance
+from equilibrium.core.states import spanning_rows
 from equilibrium.model.solution import Solution
 
 #: Shares of the friction limit are multiples of one over this.
@@ -110,12 +111,9 @@ def exact_equilibrium(
             known = (Fraction(share, _SHARE_DENOMINATOR),)
             states.append(ContactState.of("stick", 1, share=known))
     program = ContactProgram(question, tuple(states))
-    if program.freedom is None:
-        return None
     # What the equations leave open is taken from the guess.
     near = [Fraction(x, _MOTION_DENOMINATOR) for x in guess.motion]
-    point = program.completed([*near, *[Fraction(0)] * len(program.unknowns)])
-    return program.admitted(point)
+    return program.admitted(program.completed(near))
 
 
 def _pillars(contacts: IntegerContacts, guess: Guess) -> list[int]:
@@ -124,20 +122,10 @@ def _pillars(contacts: IntegerContacts, guess: Guess) -> list[int]:
     Those are taken that can give most, each across what the ones before it give.
     """
     sticking = np.flatnonzero(guess.sticking)
-    tangents = contacts.floats.tangent[sticking]
     spare = 1.0 - np.abs(np.array(guess.shares)[sticking]) / (_SHARE_DENOMINATOR + 1)
     spare *= np.broadcast_to(guess.weights, len(contacts))[sticking]
-    left = tangents * (spare * contacts.floats.friction[sticking])[:, None]
-    chosen: list[int] = []
-    while len(chosen) < 3 and len(sticking):
-        size = np.linalg.norm(left, axis=1)
-        best = int(np.argmax(size))
-        if not size[best] > 1e-9 * np.linalg.norm(tangents[best]) * (spare[best] + 1e-9):
-            break
-        tried = [*chosen, int(sticking[best])]
-        if rank(contacts.tangent[tried].tolist()) < len(tried):
-            break
-        unit = left[best] / size[best]
-        left = left - np.outer(left @ unit, unit)
-        chosen = tried
+    floats = contacts.floats
+    left = floats.tangent[sticking] * (spare * floats.friction[sticking])[:, None]
+    count = rank(contacts.tangent[sticking].tolist())
+    chosen: list[int] = sticking[spanning_rows(left, count)].tolist()
     return chosen

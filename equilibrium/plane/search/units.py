@@ -70,7 +70,7 @@ class SearchUnits:
         contacts = tuple(
             ContactRow(
                 scaled(c.normal_wrench),
-                (scaled(c.tangential_wrench),),
+                tuple(map(scaled, c.tangential_wrenches)),
                 c.friction,
                 c.stiffness * self.step / self.force,
                 c.preload / self.force,

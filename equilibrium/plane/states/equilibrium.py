@@ -101,14 +101,14 @@ def equilibrium_of(
         question = question.at_rest
     program = ContactProgram(question, tuple(as_read or states))
     if program.freedom == 0:
-        solution = program.only_solution()
+        solution = program.admitted(program.completed([]))
         if solution is None:
             return None
         ranges: list[Interval] = [(x, x) for x in chain(solution.motion, *solution.forces)]
     else:
         if program.freedom is None or not program.feasible:
             return None
-        solution = program.at(_least_solution(program))
+        solution = program.at(program.values(_least_solution(program)))
         components: list[Terms] = [*({j: 1} for j in range(3)), *chain(*program.forces)]
         ranges = list(map(program.range_of, components))
     return Equilibrium(
