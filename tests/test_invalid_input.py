@@ -12,6 +12,7 @@ from arrangement.numbers import deadline
 from equilibrium import read_grasp
 from equilibrium.cli.program import main as equilibrium
 from proofs_check.cli.program import main as proofs_check
+from proofs_check.instances.families import MOST_MEMBERS
 
 GOLDEN = {
     "schema_version": 1,
@@ -86,6 +87,11 @@ ARRANGEMENT = [
     ("count shi-a2-affine --time-limit 0 --jobs 2", "'0' is not above 0; give a number of seconds"),
     ("count shi-a2-affine --shard 1/2", "need --store"),
     ("list --classes 10", "expected 3 to 9"),
+    ("list --verified", "give --classes M"),
+    ("list --families --verified", "give --classes M"),
+    ("list --families --classes 4", "give one"),
+    ("list braid-a3 --classes 4", "give one"),
+    ("count 'x = 0' 'y = 0'", "one argument: 'x = 0; y = 0'"),
     ("convert braid-a3", "--to"),
     ("convert braid-a3 -o no.xyz", "'.xyz'; expected one of"),
     ("convert braid-a3 -o no.txt --to xyz", "xyz"),
@@ -238,6 +244,30 @@ CONVERTED = [
     ({"mass": 1}, "mass"),
     ({"schema_version": 2}, "schema_version"),
 ]
+#: Files that hold no grasp.
+NO_GRASPS = [
+    ("a.xlsx", "PK", "'a.xlsx' is a spreadsheet; save it as CSV"),
+    ("a.yaml", "contacts:", "'a.yaml' is not JSON; write the same keys and lists as JSON"),
+    ("a.csv", "id,x,y,nx,ny,mu\n", "the column 'id' is unknown; leave it out, or name it one"),
+    (
+        "a.json",
+        '{"schema_version": 1, "contacts": [], "load": ["0", "-1", "0"]}',
+        "A load is the key wrench of a file, such as [0, -1, 0], or an option: --wrench F_X",
+    ),
+    (
+        "a.json",
+        '{"contacts": [{"pos": [0, 0], "n": [0, 1], "share_of": 1}], "mu": 1, "about": 2}',
+        "the unknown keys 'mu', 'about'; known keys are schema_version, contacts, description, "
+        "units, outline, data_error. Friction, stiffness and preload are keys of each contact; "
+        "contacts[0] has the unknown key 'share_of', and lacks \"friction\"; known keys are",
+    ),
+    (
+        "a.json",
+        '[{"point": ["0", "0"], "normal": ["0", "1"], "friction": "mu"}]',
+        "One letter, such as t, is for `resisted --parameter t=0..1`",
+    ),
+    ("a.json", "{}", 'add "schema_version": 1, and the key "contacts"'),
+]
 #: Tables, for `make floats` and for `make csv`.
 BOTH_TABLES = [
     (f"{HEADER}\n0,0,1,0,nan\n", "line 2: "),
@@ -287,6 +317,20 @@ CLAIMS = [
         '@claim("s", id="x")\ndef f(p): return True\n@claim("t", id="x")\ndef g(p): return 1\n',
         "have the id 'x'",
     ),
+]
+#: Domains that are none.
+NO_FAMILIES = [
+    ("catalana(n=2..3)", "did you mean catalan?"),
+    ("catalan(k=2..3)", "it has type, m"),
+    ("catalan()", "catalan(n=2..6)"),
+    ("simplicial", "needs planes and number: simplicial(planes=2..6, number=2..6)"),
+    ("simplicial(planes=9)", "needs number: simplicial(planes=9, number=2..6)"),
+    ("random-integer(m=3, seed=0..10000)", f"more than {MOST_MEMBERS:,} values"),
+    ("random-integer(m=3..103, seed=0..100)", f"give 1 to {MOST_MEMBERS:,}"),
+    ("catalan(n=3..2)", "0 members"),
+    ("catalan(2)", "not a parameter"),
+    ("catalan(n=2, n=3)", "not a parameter"),
+    ("(n=2)", "write one as"),
 ]
 RECORDS = [
     '{"schema_version": 1, "results": [{}]}',
@@ -425,6 +469,61 @@ CASES = [
         ("make floats none.json", "none.json"),
         (f"draw {THREE} -o a.stl --size 1e-4000", "give a number above 0 in mm"),
         (f"draw {THREE} -o a.xml --model scene --wrench 1e-4000 0 0", "smaller than 10^-9"),
+        ("info ladder --count", "--count goes with --modes"),
+        ("info ladder --modes --norm L1", "--norm goes with --force-closure"),
+        ("info ladder --modes --at 0 1", "--at goes with --force or --weight"),
+        ("info ladder --force-closure --at 0 1", "--at goes with --force or --weight"),
+        ("info ladder --modes --preload 1", "--preload does not go with --modes"),
+        (
+            "solve ladder --weight 1 --methods --robust friction=1%",
+            "--robust goes with the verdict of the full model, not with --methods",
+        ),
+        ("solve ladder --weight 1 --methods mosek", "there is no method 'mosek'"),
+        ("solve wedge --weight 1 --methods printed", "no method 'printed' for one wrench of such"),
+        (
+            "solve ladder --weight 1 --as-printed signs --max-displacement 1",
+            "--max-displacement goes with the verdict of the full model, not with --as-printed",
+        ),
+        ("resisted wedge --smallest", "no proof for a whole ball"),
+        (f"resisted {PRELOADED} --smallest --torque-length 0", "must be above 0"),
+        (f"resisted {PRELOADED} --wrench 0 1 0 --torque-length 2", "--torque-length goes with"),
+        (f"resisted {PRELOADED} --smallest --at 0 1", "--at goes with"),
+        (f"resisted {PRELOADED} --smallest --weight 1", "not allowed with"),
+        (
+            f"resisted {PRELOADED} --slice fx x",
+            "'x'; expected one of fx, fy, tau, or three numbers",
+        ),
+        (f"resisted {PRELOADED} --slice 1,0 fy", "three numbers such as 1,0,0"),
+        (f"resisted {PRELOADED} --slice fx fx", "not parallel"),
+        (f"resisted {PRELOADED} --margin", "--margin goes with a load"),
+        (f"resisted {PRELOADED} --rays 3", "--rays goes with --search, not with the whole set"),
+        (
+            f"resisted {PRELOADED} --search --max-displacement 1",
+            "--max-displacement does not go with --search",
+        ),
+        (f"resisted {PRELOADED} --at 0 1", "--at goes with"),
+        (
+            "resisted two-opposed-fingers --wrench 0 1 0 0 0 0 --margin",
+            "--margin is for grasps in the plane and assemblies",
+        ),
+        *(
+            (
+                f"resisted {PRELOADED} {UP} --friction {x}",
+                f"'{x}' is not the number of a contact; write numbers from 1 on",
+            )
+            for x in ("0.3", "all", "t")
+        ),
+        (
+            f"resisted {PRELOADED} --best-direction",
+            "expected 2 arguments:\n  --best-direction X Y ",
+        ),
+        (f"solve {PRELOADED} --wrench 0,5 -1 0", "(decimals have a point)"),
+        (f"draw {PRELOADED} --slice fx fy -o a.svg", "(views with it: slice)"),
+        ("make arch --stones 5", "  --voussoirs "),
+        ("info box-on-a-box-1-wall", "expected a grasp with contacts"),
+        ("resisted ladder --along a 0 0 1", "--along is for an assembly"),
+        ("solve ladder --on a 0 0 1", "--on is for an assembly"),
+        ("solve ladder", "there is no wrench"),
         *(
             (f"draw {THREE} -o a.svg {options}", said)
             for options, said in (
@@ -490,6 +589,17 @@ CASES += [
         *(("make floats a.json", x, json.dumps(FLOATS | change)) for change, x in CONVERTED),
         ("make floats a.json --tolerance -1", "tolerance", json.dumps(FLOATS)),
         ("verify a.json", "this is an old certificate", OLD),
+        *(
+            (
+                "verify a.json",
+                "GRASP --wrench F_X F_Y TAU --certificate CERT.json` writes a certificate",
+                text,
+            )
+            for text in (
+                *("resisted: 1 family", "x,y,nx,ny,mu\n", "", '{"verdict": "resisted"}', "[]"),
+                f"{HEADER},preload\n-1,0,1,0,1/4,1\n1,0,-1,0,1/4,1\n",
+            )
+        ),
         *((words, "nested", DEEP) for words in ("verify a.json", "solve a.json --wrench 0 0 0")),
         *(
             (f"{c} a.json --weight 1 {more}", f"{m}: 1,001 digits of a number", json.dumps(LONG))
@@ -499,6 +609,9 @@ CASES += [
             )
         ),
     )
+]
+CASES += [
+    (equilibrium, f"solve {name} --weight 1", said, {name: text}) for name, text, said in NO_GRASPS
 ]
 CASES += [
     (equilibrium, f"make {form} a.csv", said, {"a.csv": text})
@@ -543,6 +656,21 @@ CASES += [
         ("sweep euler --classes 8..10 --store s.sqlite", "10"),
         ("sweep --store nowhere.sqlite --status", "there is no store nowhere.sqlite"),
         ("sweep --store out.sqlite --merge nowhere.sqlite", "there is no store nowhere.sqlite"),
+        ("fit regions", "--of 'generic(m=2..9)'"),
+        ("fit regions --of 'generic(m=2..4, d=2..3)'", "one parameter that varies"),
+        ("fit regions --of 'coxeter(type=A3,B3)'", "over integers"),
+        ("fit f_vector --of 'generic(m=2..4)'", "f_vector[1]"),
+        ("fit 'regions == 2' --of 'generic(m=2..4)'", "not a number"),
+        ("fit 'p_vector[3]' --of 'pencil(m=2..4)'", "write .get(key, 0)"),
+        ("fit regions --of simple", "no family is"),
+        ("list lemma-4", "the nearest are printed-detachment, printed-preload"),
+        ("try 'regions <= m**d'", "write rank, or the number: 2 with --of lines"),
+        ("try 'regions <= nothing'", "m (planes), rank, regions"),
+        *(
+            (f"try 'regions > 0' --of {name}", f"{name}(d=2) for lines")
+            for name in ("affine", "simple-affine")
+        ),
+        *((f"try 'm > 0' --of {shlex.quote(of)}", said) for of, said in NO_FAMILIES),
         ("report nowhere.json", "cannot read"),
         ("try 'm > 1' --of grasp", "planes"),
         ("try 'm > 1' --of nothing", "there are central"),

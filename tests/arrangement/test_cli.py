@@ -156,19 +156,6 @@ def test_regions_bounded_in_the_span_of_the_normals_are_counted(run, tmp_path):
     )
 
 
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        ("--verified", "give --classes M"),
-        ("--families --verified", "give --classes M"),
-        ("--families --classes 4", "give one"),
-        ("braid-a3 --classes 4", "give one"),
-    ],
-)
-def test_list_refuses_what_does_not_go_together(words, message, refused):
-    assert message in refused(f"list {words}")
-
-
 def test_members_of_all_families_can_be_made_and_read(run):
     listed = run.json("list --families")["names"]
     described = {entry["name"]: entry["description"] for entry in listed}

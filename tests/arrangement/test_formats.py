@@ -514,10 +514,6 @@ def test_file_named_as_an_equation_is_read(tmp_path, monkeypatch):
         read_arrangement("n=3.json")
 
 
-def test_equations_in_several_arguments_are_to_be_one(refused):
-    assert "one argument: 'x = 0; y = 0'" in refused("count", "x = 0", "y = 0")
-
-
 def test_texts_as_normals_are_referred_to_equations():
     for text in ("x = 0; y = 0", ["x = 0", "y = 0"]):
         with pytest.raises(InputError, match="from_equations"):

@@ -710,8 +710,6 @@ class TestCommand:
         path = tmp_path / "bare.json"
         STACK.save(path)
         assert "--on BODY" in refused("solve", path)
-        assert "--on is for an assembly" in refused("solve ladder --on a 0 0 1")
-        assert "there is no wrench" in refused("solve ladder")
 
     def test_displacements_are_bounded_and_verified(self, stack, tmp_path, run):
         proof = str(tmp_path / "proof.json")

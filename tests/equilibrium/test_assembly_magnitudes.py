@@ -304,6 +304,3 @@ class TestCommand:
     )
     def test_bad_options_are_refused(self, file, options, words, refused):
         assert words in refused("resisted", file, *options)
-
-    def test_grasp_has_no_bodies(self, refused):
-        assert "--along is for an assembly" in refused("resisted ladder --along a 0 0 1")

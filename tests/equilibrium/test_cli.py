@@ -159,30 +159,6 @@ def test_info_describes_a_grasp(run):
     assert run("info two-opposed-fingers").endswith("no (round cones, proved)\n")
 
 
-@pytest.mark.parametrize(
-    ("words", "reason"),
-    [
-        ("info ladder --count", "--count goes with --modes"),
-        ("info ladder --modes --norm L1", "--norm goes with --force-closure"),
-        ("info ladder --modes --at 0 1", "--at goes with --force or --weight"),
-        ("info ladder --force-closure --at 0 1", "--at goes with --force or --weight"),
-        ("info ladder --modes --preload 1", "--preload does not go with --modes"),
-        (
-            "solve ladder --weight 1 --methods --robust friction=1%",
-            "--robust goes with the verdict of the full model, not with --methods",
-        ),
-        ("solve ladder --weight 1 --methods mosek", "there is no method 'mosek'"),
-        ("solve wedge --weight 1 --methods printed", "no method 'printed' for one wrench of such"),
-        (
-            "solve ladder --weight 1 --as-printed signs --max-displacement 1",
-            "--max-displacement goes with the verdict of the full model, not with --as-printed",
-        ),
-    ],
-)
-def test_options_that_do_not_go_together_are_refused(refused, words, reason):
-    assert reason in refused(words)
-
-
 def test_methods_are_chosen_by_name(run):
     asked = "solve paper-three-contacts --wrench 0 1 0 --methods weak cones"
     names = [entry["method"] for entry in run.json(asked, code=1)["methods"]]
@@ -206,52 +182,8 @@ def test_load_of_a_file_is_taken_where_none_is_given(run, refused, tmp_path):
     assert 'or write the key "wrench" into the file' in refused("solve", path)
 
 
-@pytest.mark.parametrize(
-    "content", ["resisted: 1 family", "x,y,nx,ny,mu\n", "", '{"verdict": "resisted"}', "[]"]
-)
-def test_what_is_no_certificate_says_what_writes_one(refused, tmp_path, content):
-    path = tmp_path / "a.txt"
-    path.write_text(content)
-    answer = "GRASP --wrench F_X F_Y TAU --certificate CERT.json` writes a certificate"
-    assert answer in refused("verify", path)
-
-
-@pytest.mark.parametrize(
-    ("name", "content", "answer"),
-    [
-        ("a.xlsx", "PK", "'a.xlsx' is a spreadsheet; save it as CSV"),
-        ("a.yaml", "contacts:", "'a.yaml' is not JSON; write the same keys and lists as JSON"),
-        ("a.csv", "id,x,y,nx,ny,mu\n", "the column 'id' is unknown; leave it out, or name it one"),
-        (
-            "-",
-            "x,y,nx,ny,mu\n0,0,0,1,1\n",
-            "standard input is not JSON; tables are read from files",
-        ),
-        (
-            "a.json",
-            '{"schema_version": 1, "contacts": [], "load": ["0", "-1", "0"]}',
-            "A load is the key wrench of a file, such as [0, -1, 0], or an option: --wrench F_X",
-        ),
-        (
-            "a.json",
-            '{"contacts": [{"pos": [0, 0], "n": [0, 1], "share_of": 1}], "mu": 1, "about": 2}',
-            "the unknown keys 'mu', 'about'; known keys are schema_version, contacts, description, "
-            "units, outline, data_error. Friction, stiffness and preload are keys of each contact; "
-            "contacts[0] has the unknown key 'share_of', and lacks \"friction\"; known keys are",
-        ),
-        (
-            "a.json",
-            '[{"point": ["0", "0"], "normal": ["0", "1"], "friction": "mu"}]',
-            "One letter, such as t, is for `resisted --parameter t=0..1`",
-        ),
-        ("a.json", "{}", 'add "schema_version": 1, and the key "contacts"'),
-    ],
-)
-def test_files_that_are_no_grasps_say_what_to_do(
-    refused, tmp_path, monkeypatch, name, content, answer
-):
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(content.encode())))
-    if name != "-":
-        (tmp_path / name).write_text(content)
-    assert answer in refused("solve {} --weight 1", name)
+def test_a_table_on_standard_input_is_referred_to_files(refused, monkeypatch):
+    table = io.BytesIO(b"x,y,nx,ny,mu\n0,0,0,1,1\n")
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(table))
+    answer = "standard input is not JSON; tables are read from files"
+    assert answer in refused("solve - --weight 1")

@@ -156,10 +156,6 @@ def test_the_command_counts_and_lists(run):
     assert len(run("info box-1-wall --modes").splitlines()) == 2 + 10 + 196
 
 
-def test_bodies_given_by_normals_have_modes_only(refused):
-    assert "expected a grasp with contacts" in refused("info box-on-a-box-1-wall")
-
-
 def test_modes_are_printed_with_largest_entry_one(run):
     rows = re.findall(
         r"\(([-0-9/, ]+)\)$", run("info three-fingers-on-a-ball --modes"), re.MULTILINE

@@ -35,30 +35,6 @@ def test_smallest_unresisted_wrench(run):
     assert found["length"] == "2"
 
 
-@pytest.mark.parametrize(
-    ("arguments", "reason"),
-    [
-        (["wedge", "--smallest"], "no proof for a whole ball"),
-        ([THREE, "--smallest", "--torque-length", "0"], "must be above 0"),
-        ([THREE, "--wrench", "0", "1", "0", "--torque-length", "2"], "--torque-length goes with"),
-        ([THREE, "--smallest", "--at", "0", "1"], "--at goes with"),
-        ([THREE, "--smallest", "--weight", "1"], "not allowed with"),
-        ([THREE, "--slice", "fx", "x"], "'x'; expected one of fx, fy, tau, or three numbers"),
-        ([THREE, "--slice", "1,0", "fy"], "three numbers such as 1,0,0"),
-        ([THREE, "--slice", "fx", "fx"], "not parallel"),
-        ([THREE, "--margin"], "--margin goes with a load"),
-        ([THREE, "--rays", "3"], "--rays goes with --search, not with the whole set"),
-        (
-            [THREE, "--search", "--max-displacement", "1"],
-            "--max-displacement does not go with --search",
-        ),
-        ([THREE, "--at", "0", "1"], "--at goes with"),
-    ],
-)
-def test_options_of_other_forms_are_refused(refused, arguments, reason):
-    assert reason in refused("resisted", *arguments)
-
-
 def test_slice_as_json(run):
     region = run.json("resisted paper-three-contacts --slice fx fy")
     assert region["plane"]["spans"] == [["1", "0", "0"], ["0", "1", "0"]]
@@ -117,11 +93,6 @@ def test_friction_that_is_never_enough_is_called_so(run):
     assert "least uniform friction: none is enough\n" in run(
         "resisted paper-three-contacts --wrench 0 1 0 --margin", code=1
     )
-
-
-def test_margin_in_space_is_refused(refused):
-    asked = ["resisted", "two-opposed-fingers", "--wrench", *"010000", "--margin"]
-    assert "--margin is for grasps in the plane and assemblies" in refused(*asked)
 
 
 #: A contact of constant force, and a groove whose smooth contacts meet nearly below the load.
@@ -326,27 +297,6 @@ def test_numbers_of_contacts_may_have_commas(tmp_path, run):
     words = ["resisted", str(path), "--wrench", "0", "-1", "0", "--friction"]
     plain = run.json(*words, "1", "2")
     assert run.json(*words, "1,2") == run.json(*words, "1, 2") == plain
-
-
-@pytest.mark.parametrize("value", ["0.3", "all", "t"])
-def test_friction_that_is_no_contact_is_explained(value, refused):
-    err = refused("resisted", THREE, "--friction", value, "--wrench", "0", "1", "0")
-    assert f"'{value}' is not the number of a contact; write numbers from 1 on" in err
-
-
-def test_missing_values_and_lost_numbers_are_named(refused):
-    answer = refused("resisted", THREE, "--best-direction")
-    assert "expected 2 arguments:\n  --best-direction X Y " in answer
-    err = refused("solve", THREE, "--wrench", "0,5", "-1", "0")
-    assert "(decimals have a point)" in err
-    assert "(views with it: slice)" in refused("draw {} --slice fx fy -o a.svg", THREE)
-    assert "  --voussoirs " in refused("make", "arch", "--stones", "5")
-
-
-def test_table_is_not_a_certificate(tmp_path, refused):
-    path = tmp_path / "two.csv"
-    path.write_text(TABLE.format(f="1/4"))
-    assert "--certificate CERT.json` writes" in refused("verify", str(path))
 
 
 @pytest.mark.parametrize("command", ["solve", "resisted", "info", "draw"])

@@ -90,15 +90,6 @@ def test_quantities_that_are_0_wherever_tried_are_reported(run, words, note):
     assert bool(note) == bool(run.err)
 
 
-def test_letters_for_the_dimension_are_answered(refused):
-    assert "write rank, or the number: 2 with --of lines" in refused("try", "regions <= m**d")
-    assert "m (planes), rank, regions" in refused("try", "regions <= nothing")
-
-
 def test_claims_are_listed_a_line_each_in_a_pipe(run):
     lines = run("list").splitlines()
     assert [line.split()[0] for line in lines] == list(proofs_check.claims.entries())
-
-
-def test_numbers_of_the_paper_name_claims(refused):
-    assert "the nearest are printed-detachment, printed-preload" in refused("list lemma-4")

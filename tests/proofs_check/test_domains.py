@@ -13,7 +13,7 @@ from arrangement.library.census import census
 from proofs_check import ClaimVerdict, claim, evaluate, family
 from proofs_check.errors import OwnClaimError
 from proofs_check.instances.domains import DOMAINS, domain
-from proofs_check.instances.families import MOST_MEMBERS, read_family
+from proofs_check.instances.families import read_family
 from proofs_check.instances.pseudolines import Pseudolines, not_stretchable, type_sources, types
 from proofs_check.own_claims.shrink import shrink
 
@@ -48,29 +48,6 @@ def test_members_are_those_of_the_library():
     seeds = [case.subject.planes for case in family("random-integer", m=4, seed=range(5)).cases()]
     assert len({planes.integer_planes for planes in seeds}) == 5
     assert seeds[3] == families.random_integer(4, seed=3)
-
-
-@pytest.mark.parametrize(
-    ("text", "words"),
-    [
-        ("catalana(n=2..3)", "did you mean catalan?"),
-        ("catalan(k=2..3)", "it has type, m"),
-        ("catalan()", "catalan(n=2..6)"),
-        ("simplicial", "needs planes and number: simplicial(planes=2..6, number=2..6)"),
-        ("simplicial(planes=9)", "needs number: simplicial(planes=9, number=2..6)"),
-        ("random-integer(m=3, seed=0..10000)", f"more than {MOST_MEMBERS:,} values"),
-        ("random-integer(m=3..103, seed=0..100)", f"give 1 to {MOST_MEMBERS:,}"),
-        ("catalan(n=3..2)", "0 members"),
-        ("catalan(2)", "not a parameter"),
-        ("catalan(n=2, n=3)", "not a parameter"),
-        ("(n=2)", "write one as"),
-    ],
-)
-def test_what_is_no_family_is_one_error(text, words, refused):
-    error = refused("try {} --of", "m > 0", text)
-    assert words in error
-    assert error.startswith("error: ")
-    assert error.count("\n") == 1
 
 
 def test_a_first_argument_may_have_the_name_of_a_parameter():

@@ -114,21 +114,3 @@ def test_the_values_of_a_claim_are_fitted_where_its_routes_agree(
         assert words in refused("fit", name)
     Path("mine.py").write_text(FILE.replace("{fault}", "1"), encoding="utf-8")
     assert "the implementations disagree" in refused("fit mine.py:regions")
-
-
-@pytest.mark.parametrize(
-    ("command", "words"),
-    [
-        (["regions"], "--of 'generic(m=2..9)'"),
-        (["regions", "--of", "generic(m=2..4, d=2..3)"], "one parameter that varies"),
-        (["regions", "--of", "coxeter(type=A3,B3)"], "over integers"),
-        (["f_vector", "--of", "generic(m=2..4)"], "f_vector[1]"),
-        (["regions == 2", "--of", "generic(m=2..4)"], "not a number"),
-        (["p_vector[3]", "--of", "pencil(m=2..4)"], "write .get(key, 0)"),
-        (["regions", "--of", "simple"], "no family is"),
-    ],
-)
-def test_what_cannot_be_fitted_is_one_error(command, words, refused):
-    error = refused("fit", *command)
-    assert words in error
-    assert error.count("\n") == 1

@@ -406,11 +406,6 @@ def test_zero_bounded_regions_are_explained(write, run):
         assert "relatively_bounded_regions" in note
 
 
-@pytest.mark.parametrize("name", ["affine", "simple-affine"])
-def test_affine_domain_without_dimension_is_refused(name, refused):
-    assert f"{name}(d=2) for lines" in refused("try {} --of", "regions > 0", name)
-
-
 def test_lines_are_tried_on_every_type():
     found = [case.subject for case in line_cases(range(3, 6))]
     assert {lines.dimension for lines in found} == {2}
