@@ -25,7 +25,8 @@ from equilibrium.model.errors import CertificateError
 from .law import LawRow
 from .leaf_rule import TreeQuestion
 from .reading import FORMS, TreeForm, read_index
-from .report import Report, tree_report
+from .report import Report
+from .tree import tree_report
 
 
 def part_report(

@@ -35,8 +35,9 @@ from .enclosure import enclosure_problem
 from .law import displacement_problem, law_problem, law_rows, rows_of
 from .leaf_rule import TreeQuestion
 from .reading import form_of, read_case, read_enclosure, read_equilibrium, read_plane
-from .report import Question, Report, tree_report
+from .report import Question, Report
 from .robust import read_bounds, robust_problem
+from .tree import tree_report
 
 
 def check(

@@ -34,7 +34,7 @@ from .law import LawRow, law_problem, law_rows, lifted_rows
 from .leaf_rule import TreeQuestion
 from .reading import FORMS, KEYS, STATES, TreeForm, check_version, read_equilibrium
 from .report import Report
-from .tree import walk
+from .tree import tree_report
 
 
 @dataclass(frozen=True, repr=False)
@@ -188,8 +188,9 @@ def decided_problem(
         own = law_rows(contacts)  # type: ignore[arg-type]
         planar = FORMS[2]._replace(read=read)
         report = part_report(tree, [c.bodies for c in contacts], own, loads, planar)
-        return report.leaves, report.problem
-    return walk(tree, TreeQuestion(rows, load, form))
+    else:
+        report = tree_report(tree, TreeQuestion(rows, load, form))
+    return report.leaves, report.problem
 
 
 def form_of(family: ParametricQuestion, read: Any) -> TreeForm:

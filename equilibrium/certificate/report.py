@@ -15,8 +15,6 @@ from equilibrium.model.grasp import Grasp
 from equilibrium.model.subject import AboutCaseMixin, LoadCase, Subject, read_load
 
 from .law import short
-from .leaf_rule import TreeQuestion
-from .tree import walk
 from .uncertain import Bounds
 
 #: A grasp and a wrench, or an assembly and the wrenches on its bodies.
@@ -101,12 +99,6 @@ class Report(AboutCaseMixin, ReprMixin):
             name: self.grasp.to_dict(),
             "compared": self.compared,
         }
-
-
-def tree_report(tree: Any, question: TreeQuestion) -> Report:
-    """Check all leaves of a tree."""
-    leaves, problem = walk(tree, question)
-    return Report("not resisted", problem, leaves)
 
 
 def _difference(asked: Question, case: LoadCase) -> str:

@@ -19,13 +19,14 @@ from .contact_rule import SlipFace, State, state_text, turn
 from .law import outward
 from .leaf_rule import Generator, TreeQuestion
 from .reading import STATES, Place, Split, read_node
+from .report import Report
 
 #: Splits in a row; readers of JSON stop at some 1000 objects inside one another.
 MAX_DEPTH = 300
 
 
-def walk(tree: Any, question: TreeQuestion) -> tuple[int, str]:
-    """Return the number of leaves, and the first inequality that fails with its place, or nothing.
+def tree_report(tree: Any, question: TreeQuestion) -> Report:
+    """Check all leaves of a tree.
 
     After the first that fails the rest is read, as its form may be wrong.
     """
@@ -33,7 +34,7 @@ def walk(tree: Any, question: TreeQuestion) -> tuple[int, str]:
     for leaf, place in placed_leaves(tree, question):
         leaves += 1
         problem = problem or question.leaf_problem(leaf, place)
-    return leaves, problem
+    return Report("not resisted", problem, leaves)
 
 
 def placed_leaves(tree: Any, question: TreeQuestion) -> Iterator[tuple[Leaf, Place]]:
