@@ -149,17 +149,18 @@ class _Batch:
     def _build(self) -> None:
         """Add up the balances: the preloads, the matrix, and bounds of their errors."""
         c, (count, m) = self.contacts, self.codes.shape
-        attached = (self.codes != DETACHED).astype(np.float64)
-        slip = np.where(self.codes == DETACHED, 0, self.codes).astype(np.float64)
-        # Edges of cones (`float_law.cone_edges`) in two parts, as their errors are bounded apart;
-        # compared with the law in test_without_floats_the_answers_are_the_same.
-        parts = c.normal, c.friction[:, None] * c.tangent
-        along, across = ((part[:, :, None] * c.spring[:, None, :]).reshape(m, 12) for part in parts)
-        sums = (attached @ along - slip @ across).reshape(count, 3, 4)
-        # A term has at most four rounded factors and three products; two sums of m terms are
-        # subtracted: m + 8 roundings, taken four times.
-        sizes = np.abs(along).sum(axis=0) + np.abs(across).sum(axis=0)
-        errors = error_bound(4 * (m + 8) - 2) * sizes.reshape(3, 4)
+        # Friction of contacts that stick is unknown.
+        along, back, still = (
+            (wrench[:, :, None] * c.spring[:, None, :]).reshape(m, 12)
+            for wrench in (*c.edges, c.normal)
+        )
+        on = (self.codes == code for code in (1, -1, 0))
+        parts = [x.astype(np.float64) @ y for x, y in zip(on, (along, back, still), strict=True)]
+        sums = sum(parts, np.zeros(12)).reshape(count, 3, 4)
+        # A term has at most four rounded factors, three products and a sum; three sums of m terms
+        # are added: m + 11 roundings, taken four times. |N| + |mu T| is the larger edge.
+        sizes = np.maximum(np.abs(along), np.abs(back)).sum(axis=0)
+        errors = error_bound(4 * (m + 11) - 2) * sizes.reshape(3, 4)
         self.load, self.load_error = sums[:, :, 0], errors[:, 0]
         self.matrix = np.zeros((count, self.size, self.size))
         self.matrix[:, :3, :3] = -sums[:, :, 1:]
