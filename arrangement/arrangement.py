@@ -26,7 +26,7 @@ from .enumeration.choose import (
 from .enumeration.great_circles import SphereArrangement, sphere_arrangement
 from .enumeration.sequence import FaceSequence
 from .enumeration.subdivision import Cut, cut
-from .errors import HintsMixin, InputError
+from .errors import InputError
 from .numbers.exact import shown, vector_text
 from .planes.drawable import DrawableArrangement
 from .planes.faces import Face
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from .duals.zonotope import Zonotope
 
 
-class Arrangement(HintsMixin, DrawableArrangement, Planes):
+class Arrangement(DrawableArrangement, Planes):
     """A hyperplane arrangement: finitely many hyperplanes in R^d, and its faces.
 
     The planes are ``n_i . x = b_i``. Each keeps its own orientation and its place in the input. It
@@ -68,15 +68,16 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
         **synonyms.PAGES,
         **{word: name for words in synonyms.ARRANGEMENT.values() for word, name in words.items()},
     }
-    _main = (
-        "f_vector",
-        "regions",
-        "faces",
-        "vertices",
-        "characteristic_polynomial",
-        "draw",
-        "save",
-    )
+    _main: ClassVar[Mapping[str, str]] = {
+        "describe": "dimension rank normals offsets is_central is_simple is_essential equations",
+        "count": "f_vector region_count bounded_region_count characteristic_polynomial "
+        "whitney_numbers",
+        "list": "regions bounded_regions faces vertices sign_vectors circuits region_graph "
+        "intersection_lattice",
+        "find": "region_at face_at signs_at identify",
+        "derive": "addition deletion restriction localization cone essentialization dual",
+        "show and save": "draw lab save to_dict from_equations",
+    }
 
     def iter_faces(self, dimension: int | None = None) -> Iterator[Face]:
         """Yield every face (of one dimension, if given) with an exact witness, as `faces` does."""
@@ -282,7 +283,7 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
         """
         return counts.bounded_region_count(self, relative=relative)
 
-    def characteristic_polynomial(self, time_limit: float | None = None) -> sympy.Poly:
+    def characteristic_polynomial(self, *, time_limit: float | None = None) -> sympy.Poly:
         """Return the characteristic polynomial chi(t); see `counts.characteristic_polynomial`.
 
         >>> Arrangement([[1, 0], [0, 1], [1, 1]]).characteristic_polynomial()
@@ -406,7 +407,7 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
         method_code("Arrangement.save")(self, path)
 
     def to_sage(self) -> str:
-        """Return the arrangement as source text of SageMath, to be pasted there.
+        """Return source text of SageMath, to be pasted there; `save` writes it as ``.sage``.
 
         >>> Arrangement([[1, 0]]).to_sage()
         'H.<x,y> = HyperplaneArrangements(QQ)\\nA = H(\\n    x,\\n)\\n'
@@ -415,7 +416,7 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
         return text
 
     def to_polymake(self) -> str:
-        """Return the arrangement as a document of polymake, which its ``load`` reads."""
+        """Return a document of polymake, for its ``load``; `save` writes it as ``.hyar``."""
         text: str = method_code("Arrangement.to_polymake")(self)
         return text
 
@@ -509,11 +510,10 @@ class Arrangement(HintsMixin, DrawableArrangement, Planes):
         return completeness.certify_complete(self, self.faces(), proved=proved)
 
     def lab(self) -> Any:
-        """Return a page in which these planes are dragged and counted; a notebook shows it.
+        """Return a page to drag these planes in a notebook; `arrangement lab` writes it to a file.
 
-        Central planes of rank up to 3, or lines of R^2; the command `arrangement lab` writes the
-        page to a file. With anywidget (the extra notebook) its attribute `arrangement` is what the
-        page shows.
+        Central planes of rank up to 3, or lines of R^2. With anywidget (the extra notebook) its
+        attribute `arrangement` is what the page shows.
 
         Raises:
             InputError: other planes, or too many.

@@ -9,7 +9,8 @@ from arrangement import synonyms
 from arrangement.arrangement import Arrangement
 from arrangement.console.plugins import method_code
 from arrangement.enumeration.subdivision import Pieces, segment_sheet
-from arrangement.errors import HintsMixin, InputError
+from arrangement.errors import InputError
+from arrangement.hints import HintsMixin
 from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import RationalVector, rational_vector, shown
 from arrangement.numbers.real import field_of, written
@@ -42,7 +43,6 @@ class Segments(HintsMixin):
     ends: tuple[tuple[RationalVector, RationalVector], ...]
     names: tuple[str, ...]
     _synonyms: ClassVar[Mapping[str, str]] = synonyms.SEGMENTS
-    _main = ("ends", "names", "lines", "pieces", "draw")
 
     def __init__(self, ends: Iterable[_Points], names: Names = ()) -> None:
         given = [entries(pair, "ends", "ends") for pair in entries(ends, "segments", "segments")]

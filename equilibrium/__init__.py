@@ -49,45 +49,26 @@ Pictures and errors
 
 from arrangement import __version__ as __version__
 from arrangement.console.plugins import attach, lazy_names
+from arrangement.synonyms import by_word
 
 #: Other words for the names, each with what to write here.
-_SYNONYMS = {
-    **dict.fromkeys(("from_csv", "load", "load_grasp", "read", "read_csv"), "read_grasp(path)"),
-    "AssemblyVerdict": "Verdict",
-    "LiteralVerdict": "solve(grasp, wrench, as_printed=[...])",
-    "Mode": "ContactModes",
-    "Solver": "ResistedSet(grasp)",
-    "WrenchSet": "ResistedSet",
-    "check": "verify(source)",
-    "check_loads": "ResistedSet(grasp).check(wrenches)",
-    "contact_modes": "ContactModes.of_grasp(grasp)",
-    "contact_states": "from equilibrium.plane.states.contact_states import contact_states; "
-    "contact_states(grasp)",
-    "draw": "Grasp.draw",
-    "epsilon": "GraspWrenchSpace(grasp).epsilon",
-    "force_closure": "GraspWrenchSpace(grasp).force_closure",
-    "from_float_data": "equilibrium.inputs.from_float_data",
-    "grasp_wrench_space": "GraspWrenchSpace(grasp)",
-    "is_force_closure": "GraspWrenchSpace(grasp).force_closure",
-    "is_stable": "solve(grasp, wrench).stable",
-    "least_friction": "ResistedSet(grasp).margin(wrench).friction()",
-    "margin": "ResistedSet(grasp).margin(wrench)",
-    "plot": "Grasp.draw",
-    "load_assembly": "read_assembly(path)",
-    "random_grasp": "equilibrium.inputs.random_grasp",
-    "resisted": "ResistedSet(grasp).along(wrench)",
-    "resisted_magnitudes": "ResistedSet(grasp).along(direction)",
-    "resisted_region": "ResistedSet(grasp).slice(u, v)",
-    "resisted_set": "ResistedSet(grasp)",
-    "search_map": "ResistedSet(grasp).search()",
-    "show": "Grasp.draw",
-    "smallest_unresisted_wrench": "ResistedSet(grasp).smallest_outside()",
-    "solve_literal": "solve(grasp, wrench, as_printed=[...])",
-    "spatial_magnitudes": "ResistedSet(grasp).along(direction)",
-    "sufficient_preloads": "ResistedSet(grasp).margin(wrench).preloads",
-    "wrench_space": "GraspWrenchSpace(grasp)",
-    "write_certificate": "solve(grasp, wrench).certificate.save(path)",
-}
+_SYNONYMS = by_word("""
+    from_csv load load_grasp read read_csv -> read_grasp(path)
+    load_assembly -> read_assembly(path)
+    plot show -> read_grasp(path).draw()
+    check -> verify(source)
+    is_stable -> solve(grasp, wrench).stable
+    solve_literal -> solve(grasp, wrench, as_printed=[...])
+    resisted -> ResistedSet(grasp).along(wrench)
+    resisted_magnitudes -> ResistedSet(grasp).along(direction)
+    resisted_region -> ResistedSet(grasp).slice(u, v)
+    Solver WrenchSet resisted_set -> ResistedSet(grasp)
+    least_friction -> ResistedSet(grasp).margin(wrench).friction()
+    sufficient_preloads -> ResistedSet(grasp).margin(wrench).preloads
+    is_force_closure -> GraspWrenchSpace(grasp).force_closure
+    grasp_wrench_space wrench_space -> GraspWrenchSpace(grasp)
+    contact_modes -> ContactModes.of_grasp(grasp)
+""")
 
 attach(
     {

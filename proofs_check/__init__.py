@@ -11,8 +11,8 @@ Write claims
     load          read the claims of a file
 
 Run
-    registry      return the claims of the paper, by id
-    Registry      a mapping from ids to claims
+    registry      return the claims of the paper, by id: registry()["fukuda-bound-attained"]
+    Registry      claims by id; iterating gives claims
     evaluate      check a claim on its instances; returns a Result
 
 What a claim is
@@ -28,24 +28,26 @@ What checking it returns
 
 from arrangement import __version__ as __version__
 from arrangement.console.plugins import lazy_names
+from arrangement.synonyms import by_word
 
 #: Other words for the names, each with what to write here.
 _SYNONYMS = {
-    "Exercise": "exercise",
-    "check": "evaluate(claim)",
-    **dict.fromkeys(("all_claims", "claims", "get_claims", "paper_claims"), "registry()"),
     "extreme": "from proofs_check.own_claims.extreme import extremes; "
     "extremes(quantity, of, low, high)",
-    "list_claims": "list(registry())",
-    "load_claims": "load(path)",
-    "read": "load(path)",
-    "run": "evaluate(claim)",
     **dict.fromkeys(
-        ("try_", "try_claim"),
+        ("one_line_claim", "try_", "try_claim"),
+        "from proofs_check import evaluate; "
         "from proofs_check.own_claims.one_line import one_line_claim; "
-        "evaluate(one_line_claim(statement, of=of))",
+        "evaluate(one_line_claim('regions <= m^2', of='lines'))",
     ),
-    "verify": "evaluate(claim)",
+    **by_word("""
+        Exercise -> exercise
+        get get_claim -> registry()[id]
+        check run verify -> evaluate(claim)
+        all_claims claims get_claims paper_claims -> registry()
+        list_claims -> list(registry())
+        load_claims read -> load(path)
+    """),
 }
 
 __getattr__, __dir__ = lazy_names(__name__, __file__, _SYNONYMS)

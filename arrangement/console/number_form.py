@@ -17,14 +17,14 @@ from inspect import isroutine
 from itertools import islice
 from typing import Any, ClassVar
 
-from arrangement.errors import InstanceHintsMixin
+from arrangement.hints import HintsMixin
 from arrangement.numbers.exact import common_digits, number_text, to_text
 
 #: Characters of a line, and items of a sequence in a line and in a table.
 WIDTH, IN_LINE, IN_TABLE = 90, 4, 12
 
 
-class ReprMixin:
+class ReprMixin(HintsMixin):
     """A value whose fields are shown: its dataclass has ``repr=False``, or a line of its own.
 
     Attributes:
@@ -43,7 +43,7 @@ class ReprMixin:
         return table(self, _names(self))
 
 
-class JsonMixin(InstanceHintsMixin, ReprMixin):
+class JsonMixin(ReprMixin):
     """A value with a JSON form: the attributes that `json_fields` names."""
 
     __slots__ = ()

@@ -11,10 +11,10 @@ from collections.abc import Callable, Mapping
 from importlib import import_module
 from importlib.util import find_spec
 from opcode import opname
-from types import FrameType
+from types import FrameType, ModuleType
 from typing import Any
 
-from arrangement.errors import missing_attribute
+from arrangement.hints import missing_attribute
 
 #: For each kind of entry its names, each with the place of a function.
 _ADDED: Mapping[str, Mapping[str, str]] = {
@@ -96,7 +96,10 @@ def lazy_names(
 
     def get(name: str) -> Any:
         if name in known:
-            return get_known(name)
+            value = get_known(name)
+            if isinstance(value, ModuleType):
+                vars(value).setdefault("__getattr__", _absent_names(value))
+            return value
         caller = sys._getframe(1)
         if name == "__all__" and caller.f_globals.get("__name__") != "pydoc":
             return names()
@@ -104,6 +107,13 @@ def lazy_names(
         raise to_importer(error, caller)
 
     return get, names
+
+
+def _absent_names(module: ModuleType) -> Callable[[str], Any]:
+    def refuse(name: str) -> Any:
+        raise to_importer(missing_attribute(module, name, {}), sys._getframe(1))
+
+    return refuse
 
 
 class InlinePage:

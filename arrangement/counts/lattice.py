@@ -18,6 +18,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import ClassVar
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.progress import watched
@@ -58,6 +59,9 @@ class IntersectionLattice(ReprMixin):
         covers: for each flat, positions in the next level of the flats that cover it.
     """
 
+    _synonyms: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("draw", "hasse", "hasse_diagram", "plot", "show"), "lattice.arrangement.draw('lattice')"
+    )
     repr_fields = ("arrangement",)
     arrangement: Planes
     masks: tuple[tuple[int, ...], ...] = field(repr=False)

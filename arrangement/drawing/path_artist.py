@@ -45,7 +45,8 @@ from arrangement.drawing.scene import (
     require_matplotlib,
 )
 from arrangement.drawing.themes import apply_theme
-from arrangement.errors import HintsMixin, InputError, refusal
+from arrangement.errors import InputError, refusal
+from arrangement.hints import HintsMixin
 from arrangement.numbers.exact import shown, sign_text
 
 try:
@@ -368,12 +369,17 @@ class Drawing(HintsMixin, Figure):
             ("download", "export", "save", "save_as", "to_file", "write_file"), "write(path)"
         ),
     }
-    _main = ("write", "restyle", "region", "circle", "to_page")
 
     def __init__(self, scene: Scene) -> None:
         super().__init__()
         self.scene = scene
         figure(lay_out(scene), self)
+
+    def show(self, warn: bool = True) -> None:
+        """Refuse to open a window, which figures without pyplot do not have."""
+        raise AttributeError(
+            "a Drawing has no window; a notebook shows it, and write('picture.svg') writes a file"
+        )
 
     def to_page(self, point: Iterable[Any], panel: int = 1) -> tuple[float, float]:
         """Return where a point of the model is, in the coordinates of ``axes[panel - 1]``.

@@ -11,14 +11,14 @@ from __future__ import annotations
 import functools
 import inspect
 import os
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field, fields, replace
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ParamSpec, Protocol, TypeAlias, overload
 
-from arrangement.console.options.signature import Option, Syntax, options_of, summary
+from arrangement.console.options.signature import Option, Syntax, options_of
 from arrangement.console.options.values import rational_argument
 from arrangement.console.progress import watched
 from arrangement.console.writing import write_bytes_atomically, write_text_atomically
@@ -51,7 +51,9 @@ from arrangement.drawing.scene import (
     require_matplotlib,
 )
 from arrangement.errors import InputError, MissingExtraError, refusal
+from arrangement.hints import described, hints_on_arguments, summary, unknown_arguments
 from arrangement.numbers.exact import shown
+from arrangement.synonyms import by_word
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -71,39 +73,23 @@ LegendPlace: TypeAlias = Annotated[str | None, Syntax(metavar="PLACE")]
 TextKind: TypeAlias = Annotated[str | None, Syntax(metavar="KIND")]
 
 #: Other words for options, each with its name.
-OPTION_SYNONYMS = {
-    "axes": "slice",
-    "base": "bottom",
-    "highlight": "colours",
-    "direction": "camera",
-    "directions": "rays",
-    "piece": "equilibrium",
-    "plane": "section",
-    "turn": "rotation",
-    "rotate": "azimuth",
-    **dict.fromkeys(("figsize", "height", "figure_width"), "width"),
-    **dict.fromkeys(
-        ("cmap", "color", "fill", "palette", "region_colors", "region_colours", "shade", "shading"),
-        "colour",
-    ),
-    **dict.fromkeys(
-        ("colors", "dashes", "line_color", "line_colors", "linestyle", "linestyles", "style"),
-        "colours",
-    ),
-    **dict.fromkeys(("label", "label_regions", "region_labels"), "labels"),
-    **dict.fromkeys(("label_lines", "line_labels", "line_names"), "names"),
-    **dict.fromkeys(("bbox", "bounds", "limits", "range", "xlim", "xrange", "ylim"), "window"),
-    **dict.fromkeys(("force", "forces", "load"), "wrench"),
-    **dict.fromkeys(("elev", "elevation", "view_direction", "viewpoint"), "camera"),
-    "azim": "azimuth",
-}
-
-
-def check_synonyms(options: Iterable[str], known: Container[str]) -> None:
-    """Refuse another word for an option as an unknown argument, with the name of the option."""
-    for option in options:
-        if option not in known and (now := OPTION_SYNONYMS.get(option, "")) in known:
-            raise TypeError(f"there is no option {option!r}; write {now!r}")
+OPTION_SYNONYMS = by_word("""
+    axes -> slice
+    base -> bottom
+    highlight colors dashes line_color line_colors linestyle linestyles style -> colours
+    direction elev elevation view_direction viewpoint -> camera
+    directions -> rays
+    piece -> equilibrium
+    plane -> section
+    turn -> rotation
+    rotate azim -> azimuth
+    figsize height figure_width -> width
+    cmap color fill palette region_colors region_colours shade shading -> colour
+    label label_regions region_labels -> labels
+    label_lines line_labels line_names -> names
+    bbox bounds limits range xlim xrange ylim -> window
+    force forces load -> wrench
+""")
 
 
 #: What can be drawn: pictures, models for printers, interactive pages.
@@ -146,9 +132,9 @@ def picture(least: float = 40.0) -> Callable[[Callable[P, Scene]], DrawingView[P
     """
 
     def decorate(view: Callable[P, Scene]) -> DrawingView[P]:
+        @hints_on_arguments(OPTION_SYNONYMS)
         @functools.wraps(view)
         def scene(*args: P.args, **options: P.kwargs) -> Scene:
-            check_synonyms(options, view.__annotations__)
             if "width" in options:
                 options["width"] = checked_width(options["width"], least)
             return view(*args, **options)
@@ -430,7 +416,6 @@ class Drawings:
             InputError: unknown suffix, view, model or option, what the view refuses, no place to
                 write.
             MissingExtraError: matplotlib is absent.
-            TypeError: another word for an option, with its name.
         """
         kind, name = self.target(path, view, model)
         printing = Printing(**{key: options.pop(key) for key in PRINTING & options.keys()})
@@ -525,8 +510,9 @@ class Drawings:
         Raises:
             InputError: an unknown view or option, or what the view refuses.
             MissingExtraError: matplotlib is absent.
-            TypeError: another word for an option, with its name.
         """
+        if view is not None:
+            self._check_name("view", view, options)
         drawings = self if view in self.views else self.of(subject)
         name = next(iter(drawings.views)) if view is None else view
         own = {option: value for option, value in options.items() if option != "ax"}
@@ -558,27 +544,29 @@ class Drawings:
         """Refuse a name that is unknown, and options that it lacks or needs."""
         self._check_name(kind, name)
         known = self.options(kind, name)
-        check_synonyms(options, known)
-        for option in options:
-            if option not in known:
-                having = {
-                    other: [x for x in self.entries(other) if option in self.options(other, x)]
-                    for other in (kind, *KINDS)
-                }
-                other = next(filter(having.get, having), "")
-                others = f" ({other}s with it: {', '.join(having[other])})" if other else ""
-                mistake = f"the {kind} {name} has no option {shown(option)}{others}"
-                raise refusal(mistake, option, known, "it has")
+        if unknown := [option for option in options if option not in known]:
+            lacks = unknown_arguments(unknown, known, OPTION_SYNONYMS)
+            having = {
+                other: [
+                    x for x in self.entries(other) if self.options(other, x).keys() >= {*unknown}
+                ]
+                for other in (kind, *KINDS)
+            }
+            other = next(filter(having.get, having), "")
+            others = f" ({other}s with it: {', '.join(having[other])})" if other else ""
+            has = described({word: option.text for word, option in known.items()})
+            raise InputError(f"the {kind} {name} has no option {lacks}{others}. It has{has}")
         for needed in known.values():
             if needed.required and needed.name not in options:
                 raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")
 
-    def _check_name(self, kind: str, name: str) -> None:
+    def _check_name(self, kind: str, name: object, options: Mapping[str, Any] = {}) -> None:
         known = self.entries(kind)
-        if suffix := Path(name).suffix:
-            raise InputError(
-                f"the {kind} is {shown(name)}; write a {suffix} file with draw().write"
-            )
+        if not isinstance(name, str):
+            raise refusal(f"the {kind} is {shown(name)}", name, known)
+        if Path(name).suffix:
+            given = ", ".join(f"{option}={value!r}" for option, value in options.items())
+            raise InputError(f"the {kind} is {shown(name)}; write draw({given}).write({name!r})")
         for part in name.split(",") if kind == "view" else [name]:
             if part not in known:
                 raise refusal(f"the {kind} is {shown(part)}", part, known)

@@ -6,6 +6,7 @@ that are asked for, when they are asked for.
 
 from __future__ import annotations
 
+from abc import ABCMeta
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -17,7 +18,8 @@ from numpy.typing import NDArray
 
 from arrangement import synonyms
 from arrangement.console.number_form import ReprMixin
-from arrangement.errors import InputError, InstanceHintsMixin, missing_item
+from arrangement.errors import InputError, missing_item
+from arrangement.hints import Hints
 from arrangement.numbers import budget
 from arrangement.numbers.coefficients import Coefficients, Integers
 from arrangement.numbers.exact import RationalVector, fraction, quotient, shown
@@ -57,7 +59,11 @@ def no_faces(planes: int, dimension: int) -> Level:
     )
 
 
-class FaceSequence(InstanceHintsMixin, ReprMixin, Sequence[Face]):
+class _SequenceHints(Hints, ABCMeta):
+    """The class of a sequence that answers names which it does not have."""
+
+
+class FaceSequence(ReprMixin, Sequence[Face], metaclass=_SequenceHints):
     """The faces of an arrangement, or those of one dimension, in a fixed order.
 
     It looks like a tuple of `Face`: length, indices, slices (which are tuples), iteration. The

@@ -13,10 +13,11 @@ from typing import TYPE_CHECKING
 
 from arrangement.console import terminal
 from arrangement.console.options import values
-from arrangement.console.options.signature import USUAL_SYNTAX, Option, options_of, summary
+from arrangement.console.options.signature import USUAL_SYNTAX, Option, options_of
 from arrangement.console.progress import note, watched
 from arrangement.console.writing import document_text, write_or_print
 from arrangement.errors import InputError
+from arrangement.hints import summary
 from arrangement.library.files.json_files import descriptions
 
 if TYPE_CHECKING:

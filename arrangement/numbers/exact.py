@@ -67,10 +67,11 @@ def rational(value: Rational, name: str = "number") -> Fraction:
         return Fraction(int(value.numerator), int(value.denominator))
     if isinstance(value, numbers.Real):
         raise InputError(
-            f"{name} is the float {shown(value)}, expected an exact number; write a string "
-            'such as "7/3" or "-0.25"'
+            f"{name} is the float {shown(float(value))}, expected an exact number; write each "
+            'float as a string such as "7/3" or "-0.25"'
             + budget.by_caller(
-                ", or convert on purpose with arrangement.from_floats(values), each array alone",
+                ", or convert on purpose with arrangement.from_floats(values), each array alone; "
+                "equilibrium.inputs.from_float_data(points, normals, friction).grasp takes floats",
                 "",
             )
         )

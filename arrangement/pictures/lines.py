@@ -45,6 +45,7 @@ from arrangement.drawing.scene import POINTS, Floats, PageMap, Scene, along, arr
 from arrangement.drawing.views import Corner
 from arrangement.errors import InputError, refusal
 from arrangement.library.files.table import read_polygon
+from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import (
     RationalVector,
     dot,
@@ -402,7 +403,8 @@ def draw_lines(
         raise InputError("inside of a polygon only regions are named, and nothing is at infinity")
     kind = "signs" if everything and labels is None else labels
     names = RegionLabels(arrangement, kind if len(arrangement) else "none", items="lines")
-    corners = [rational_vector(corner, "window") for corner in window]
+    given = entries(window, "window", "two corners, such as [(0, 0), (4, 3)]")
+    corners = [rational_vector(corner, "window") for corner in given]
     if corners or inside is not None:
         if coordinates not in (None, "given") or projective:
             raise InputError(

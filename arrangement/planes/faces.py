@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from arrangement import synonyms
 from arrangement.console.number_form import ReprMixin
-from arrangement.errors import InputError, InstanceHintsMixin
+from arrangement.errors import InputError
 from arrangement.numbers.exact import (
     IntegerVector,
     RationalVector,
@@ -39,7 +39,7 @@ _SHOWN = 40
 
 
 @dataclass(frozen=True, repr=False)
-class Face(InstanceHintsMixin, ReprMixin):
+class Face(ReprMixin):
     """A face of an arrangement: the set of all points with one sign vector.
 
     Faces are equal when they are the same set of the same planes, whatever point stands for them.

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from arrangement.hints import HintsMixin
+
 
 @dataclass(frozen=True)
-class Identification:
+class Identification(HintsMixin):
     """What is known of an arrangement's isomorphism class.
 
     Attributes:

@@ -6,6 +6,7 @@ dimension (a line in R^2, a hyperplane in R^5).
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
@@ -13,6 +14,7 @@ from itertools import chain, combinations
 from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeAlias, overload
 
 from arrangement.errors import InputError, missing_item
+from arrangement.hints import HintsMixin
 from arrangement.numbers import budget
 from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import (
@@ -55,6 +57,7 @@ Names: TypeAlias = Iterable[str] | Mapping[int, str]
 _LONGEST_NAME = 40
 #: Added where there is a text.
 _EQUATIONS = ", or Arrangement.from_equations(['x = 0', 'y = 0'])"
+_VECTORS = f"give vectors of exact numbers, [[1, 0], [0, 1]]{_EQUATIONS}"
 #: Bits of a number that takes longer than others.
 _LONG_BITS = 1000
 
@@ -72,7 +75,7 @@ class Hyperplane(NamedTuple):
         return f"<Hyperplane: {self}>"
 
 
-class Planes:
+class Planes(HintsMixin):
     """Finitely many hyperplanes ``n_i . x = b_i`` in R^d, as a value without algorithms.
 
     `arrangement.Arrangement` adds faces to it, and describes how planes are stored.
@@ -146,15 +149,15 @@ class Planes:
 
     @classmethod
     def from_equations(
-        cls, equations: Iterable[Any], symbols: Iterable[sympy.Symbol] | None = None
+        cls, equations: Iterable[Any] | str, symbols: Iterable[sympy.Symbol] | None = None
     ) -> Self:
         """Return the planes of linear equations in SymPy symbols, or as text.
 
         Args:
             equations: ``Eq(left, right)``, or expressions that are zero on the plane; or all of
                 them texts such as ``"x - 2*y = 1"``, or ``"ell: x = 1"`` with a name, read as in
-                files and never evaluated. The positive side is where the left side is the larger
-                one, or the expression positive.
+                files and never evaluated; or one text of them, with commas between. The positive
+                side is where the left side is the larger one, or the expression positive.
             symbols: the coordinates in their order. If omitted, all symbols of the equations,
                 sorted by name; then a coordinate that no equation has is missing. Texts in x, y, z
                 have x and y at least.
@@ -170,6 +173,8 @@ class Planes:
         >>> Planes.from_equations(["x = y", "2*x + 3*z - 1"]).integer_planes
         ((1, -1, 0, 0), (2, 0, 3, 1))
         """
+        if isinstance(equations, str):
+            equations = re.split("[,;]", equations)
         given = entries(equations, "equations", "equations")
         if given and all(isinstance(equation, str) for equation in given):
             listed = () if symbols is None else entries(symbols, "symbols", "symbols")
@@ -446,12 +451,11 @@ def _rows_as_list(normals: Any) -> list[Any]:
     if hasattr(normals, "tolist"):  # SymPy's matrices and arrays run through their entries
         normals = normals.tolist()
     if isinstance(normals, (str, bytes)) or not isinstance(normals, Iterable):
-        raise InputError(
-            f"normals is {shown(normals)}; give vectors, one for each plane{_EQUATIONS}"
-        )
+        files = ", or read_arrangement(path)" if isinstance(normals, str) else ""
+        raise InputError(f"normals is {shown(normals)}; {_VECTORS}{files}")
     rows = list(normals)
-    if rows and (isinstance(rows[0], str) or hasattr(rows[0], "free_symbols")):
-        raise InputError(f"normal 1 is {shown(rows[0])}; give vectors of exact numbers{_EQUATIONS}")
+    if rows and (isinstance(rows[0], str) or not isinstance(rows[0], Iterable)):
+        raise InputError(f"normal 1 is {shown(rows[0])}; {_VECTORS}")
     return rows
 
 

@@ -19,7 +19,7 @@ import numpy as np
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.progress import watched
 from arrangement.console.workers import part_numbers, run_parts
-from arrangement.errors import hints_on_arguments
+from arrangement.hints import hints_on_arguments
 from arrangement.numbers import budget
 from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import Rational, RationalVector

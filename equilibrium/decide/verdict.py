@@ -17,9 +17,10 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from arrangement.console.plugins import method_code
-from arrangement.errors import HintsMixin, OutOfReachError
+from arrangement.errors import OutOfReachError
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
+from arrangement.synonyms import by_word
 from equilibrium.certificate.checker import check, proof_report
 from equilibrium.certificate.document import (
     Certificate,
@@ -79,7 +80,7 @@ def engine_of(
 
 
 @dataclass(frozen=True)
-class Verdict(AboutCaseMixin, HintsMixin):
+class Verdict(AboutCaseMixin):
     """The answer for a grasp or an assembly and a load, true when resisted, with its proof.
 
     Attributes:
@@ -104,18 +105,20 @@ class Verdict(AboutCaseMixin, HintsMixin):
 
     _synonyms: ClassVar[Mapping[str, str]] = {
         **{word: name.removeprefix("solve(G, w).") for word, name in NAMES.items()},
-        "check": "verify()",
-        "draw": "grasp.draw(wrench=wrench)",
-        "explain": "certificate",
-        "is_stable": "stable",
-        "margin": "ResistedSet(grasp).margin(wrench)",
-        "motion": "solution.motion, or motions of an assembly",
-        "plot": "grasp.draw(wrench=wrench)",
-        "resisted": "stable",
-        "save": "certificate.save(path)",
-        "show": "grasp.draw(wrench=wrench)",
+        **by_word("""
+            check -> verify()
+            draw plot show -> grasp.draw(wrench=verdict.wrench)
+            explain explanation reasons report why -> lines()
+            is_stable resisted -> stable
+            margin -> ResistedSet(grasp).margin(wrench)
+        """),
     }
-    _main = ("stable", "states", "forces", "equilibria", "certificate", "verify", "to_dict")
+    _main: ClassVar[Mapping[str, str]] = {
+        "answer": "stable verdict lines",
+        "equilibrium": "states forces solution equilibria",
+        "proof": "certificate verify proof to_dict",
+        "question": "grasp wrench",
+    }
 
     @classmethod
     def of(

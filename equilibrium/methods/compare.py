@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from arrangement.console.progress import watched
-from arrangement.errors import hints_on_arguments
+from arrangement.hints import HintsMixin, hints_on_arguments
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, shown, to_text
 from equilibrium.core.contacts import FloatContacts
@@ -33,7 +33,7 @@ _MARKS = {
 
 
 @dataclass(frozen=True)
-class Answer:
+class Answer(HintsMixin):
     """The verdict of one method.
 
     Attributes:
@@ -58,7 +58,7 @@ class Answer:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class Comparison(HintsMixin):
     """The verdicts of all methods on one question; the full model comes first.
 
     Attributes:

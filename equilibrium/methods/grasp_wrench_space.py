@@ -26,6 +26,7 @@ from typing import Any
 
 from arrangement.console.number_form import number
 from arrangement.errors import OutOfReachError
+from arrangement.hints import HintsMixin
 from arrangement.numbers import budget
 from arrangement.numbers.exact import (
     IntegerVector,
@@ -52,7 +53,7 @@ MAX_EDGES_IN_HULL = 16
 
 
 @dataclass(frozen=True)
-class GraspWrenchSpace:
+class GraspWrenchSpace(HintsMixin):
     """The space of one grasp.
 
     Args:

@@ -20,7 +20,7 @@ from typing import Any, ClassVar
 from arrangement.console.number_form import counted
 from arrangement.console.plugins import method_code
 from arrangement.console.writing import write_text_atomically
-from arrangement.errors import HintsMixin
+from arrangement.hints import HintsMixin
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, to_text
@@ -41,7 +41,7 @@ Wrenches = dict[str, RationalVector]
 
 
 @dataclass(frozen=True)
-class RigidBody:
+class RigidBody(HintsMixin):
     """One rigid body.
 
     Attributes:
@@ -128,7 +128,7 @@ def _check_plane(outline: Any, name: str) -> None:
 
 
 @dataclass(frozen=True)
-class BodyContact:
+class BodyContact(HintsMixin):
     """One contact between two bodies, or of a body with the ground.
 
     Attributes:
@@ -205,7 +205,7 @@ class BodyContact:
 
 
 @dataclass(frozen=True)
-class Assembly(HintsMixin, ContactValuesMixin):
+class Assembly(ContactValuesMixin):
     """Finitely many rigid bodies in the plane, and the contacts among them and with the ground.
 
     Args:
@@ -237,7 +237,6 @@ class Assembly(HintsMixin, ContactValuesMixin):
         "modes": "ContactModes.of_grasp(assembly)",
         "solve": "solve(assembly, wrenches)",
     }
-    _main = ("bodies", "contacts", "from_polygons", "with_friction", "with_preload", "save")
 
     def __init__(
         self,

@@ -22,7 +22,7 @@ from functools import cache, cached_property
 from typing import Any, ClassVar
 
 from arrangement.console.number_form import ReprMixin
-from arrangement.errors import HintsMixin, hints_on_assignment
+from arrangement.hints import hints_on_assignment
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers import budget
 from arrangement.numbers.exact import (
@@ -36,6 +36,7 @@ from arrangement.numbers.exact import (
     vector_text,
 )
 from arrangement.numbers.linear.rank import cross, difference
+from arrangement.synonyms import by_word
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import coordinates
 from equilibrium.model.unit_normal import unit_normal
@@ -56,7 +57,7 @@ IN_SPACE = (
 
 @hints_on_assignment
 @dataclass(frozen=True)
-class Contact(HintsMixin, ReprMixin):
+class Contact(ReprMixin):
     """One frictional contact with a unilateral normal spring.
 
     Args:
@@ -101,19 +102,13 @@ class Contact(HintsMixin, ReprMixin):
     adhesion: Fraction = Fraction(0)
     thread: RationalVector = field(default=(), compare=False)
 
-    _synonyms: ClassVar[Mapping[str, str]] = {
-        "angle": "normal",
-        "cof": "friction",
-        "force": "preload",
-        "friction_coefficient": "friction",
-        "k": "stiffness",
-        "location": "point",
-        "mu": "friction",
-        "n": "normal",
-        "normal_force": "preload",
-        "position": "point",
-    }
-    _main = ("point", "normal", "friction", "stiffness", "preload", "tangent", "to_dict")
+    _synonyms: ClassVar[Mapping[str, str]] = by_word("""
+        angle n -> normal
+        cof friction_coefficient mu -> friction
+        force normal_force -> preload
+        k -> stiffness
+        location position -> point
+    """)
 
     def __init__(
         self,

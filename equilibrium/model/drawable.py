@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.plugins import method_code
+from arrangement.hints import hints_on_arguments
 
 if TYPE_CHECKING:
     from arrangement.drawing.path_artist import Drawing
@@ -18,6 +19,7 @@ class DrawableGrasp:
 
     __slots__ = ()
 
+    @hints_on_arguments({})
     def draw(self, view: str | None = None, **options: Any) -> Drawing:
         """Draw a picture as a figure of matplotlib (the extra ``figures``), which writes TikZ, too.
 

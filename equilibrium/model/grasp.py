@@ -16,13 +16,14 @@ import arrangement
 from arrangement.console.number_form import counted
 from arrangement.console.plugins import method_code
 from arrangement.console.writing import write_text_atomically
-from arrangement.errors import HintsMixin, hints_on_assignment, missing_item
+from arrangement.errors import missing_item
+from arrangement.hints import HintsMixin, hints_on_assignment
 from arrangement.library.files.json_files import check_all, check_keys, check_list
 from arrangement.numbers import budget
 from arrangement.numbers.arguments import entries, whole
 from arrangement.numbers.exact import RationalVector, dot, rational, rational_vector, shown
 from arrangement.numbers.linear.rank import cross
-from arrangement.synonyms import PAGES, PICTURES
+from arrangement.synonyms import PAGES, PICTURES, by_word
 
 from .contact import (
     IN_SPACE,
@@ -69,7 +70,7 @@ def ask_contacts(count: int) -> None:
     budget.check_cost(f"{count:,} contacts", "leave out contacts", steps=5000 * count)
 
 
-class ContactValuesMixin:
+class ContactValuesMixin(HintsMixin):
     """Contacts by their numbers, and copies with other values of some of them."""
 
     contacts: tuple[Any, ...]
@@ -139,13 +140,14 @@ class ContactValuesMixin:
 
 @hints_on_assignment
 @dataclass(frozen=True)
-class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
+class Grasp(ContactValuesMixin, DrawableGrasp):
     """Finitely many contacts on one rigid object, all in the plane or all in space.
 
     None is allowed too, and is a grasp in the plane.
 
     Attributes:
-        contacts: in the order given; a pad is several of them, its points, see `groups`.
+        contacts: `Contact` values (`equilibrium.inputs.from_float_data` takes arrays), in the order
+            given; a pad is several of them, its points, see `groups`.
         units: what the numbers are measured in, if stated; a label that no comparison looks at.
         outline: the shape of the object, if stated; pictures show it as it is given, and no
             comparison or decision looks at it.
@@ -161,56 +163,36 @@ class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
         **NAMES,
         **PICTURES,
         **PAGES,
-        **dict.fromkeys(
-            ("from_arrays", "from_contacts", "from_floats", "from_numpy", "from_points"),
-            "equilibrium.inputs.from_float_data(points, normals, friction).grasp",
-        ),
-        **dict.fromkeys(
-            ("from_dataframe", "from_df", "from_pandas"),
-            "equilibrium.inputs.from_float_data(points, normals, friction).grasp",
-        ),
-        **dict.fromkeys(
-            ("from_mesh", "from_stl"), "equilibrium.inputs.on_mesh(path, friction, at=points).grasp"
-        ),
-        "from_polygon": "equilibrium.inputs.from_polygon",
-        **dict.fromkeys(
-            ("max_force", "max_load", "max_wrench", "maximum_load"),
-            "ResistedSet(grasp).along(wrench).intervals",
-        ),
-        **dict.fromkeys(
-            ("min_friction", "minimum_friction", "sufficient_friction"),
-            "sufficient_friction(grasp, contacts, wrench)",
-        ),
-        **dict.fromkeys(
-            ("min_preload", "minimum_preload"), "ResistedSet(grasp).margin(wrench).preloads"
-        ),
-        **dict.fromkeys(
-            ("plot_region", "plot_resisted", "plot_resisted_region", "plot_resisted_set"),
-            "draw('resist')",
-        ),
-        **dict.fromkeys(("from_csv", "from_file", "from_json", "load", "read"), "read_grasp(path)"),
-        **dict.fromkeys(("add", "add_contact", "append"), "Grasp([*grasp.contacts, contact])"),
-        "along": "ResistedSet(grasp).along(wrench)",
-        "compare": "compare(grasp, wrench)",
-        "epsilon": "GraspWrenchSpace(grasp).epsilon",
-        "force_closure": "GraspWrenchSpace(grasp).force_closure",
-        "is_force_closure": "GraspWrenchSpace(grasp).force_closure",
-        "is_stable": "solve(grasp, wrench).stable",
-        "margin": "ResistedSet(grasp).margin(wrench)",
-        "modes": "ContactModes.of_grasp(grasp)",
-        "n_contacts": "len(grasp)",
-        "planes": "tangential_arrangement() or motion_arrangement()",
-        "resisted": "ResistedSet(grasp).along(wrench)",
-        "resisted_set": "ResistedSet(grasp)",
-        "resists": "solve(grasp, wrench).stable",
-        "slice": "ResistedSet(grasp).slice(u, v)",
-        **dict.fromkeys(
-            ("to_dataframe", "to_pandas"), "pandas.DataFrame([c.to_dict() for c in grasp])"
-        ),
-        "solve": "solve(grasp, wrench)",
-        "wrench_space": "GraspWrenchSpace(grasp)",
+        **by_word("""
+            from_arrays from_floats -> inputs.from_float_data(points, normals, friction).grasp
+            from_numpy from_points -> inputs.from_float_data(points, normals, friction).grasp
+            from_dataframe from_df -> inputs.from_float_data(points, normals, friction).grasp
+            from_contacts from_pandas -> inputs.from_float_data(points, normals, friction).grasp
+            from_mesh from_stl -> inputs.on_mesh(path, friction, at=points).grasp
+            from_polygon -> inputs.from_polygon(vertices, places, friction).grasp
+            max_force max_load max_wrench maximum_load -> ResistedSet(grasp).along(wrench).intervals
+            min_friction minimum_friction -> sufficient_friction(grasp, contacts, wrench)
+            min_preload minimum_preload -> ResistedSet(grasp).margin(wrench).preloads
+            plot_region plot_resisted plot_resisted_region plot_resisted_set -> draw('resist')
+            from_csv from_file from_json load read -> read_grasp(path)
+            add add_contact append -> Grasp([*grasp.contacts, contact])
+            grasp_quality metric quality -> GraspWrenchSpace(grasp).epsilon
+            is_force_closure -> GraspWrenchSpace(grasp).force_closure
+            is_stable resists -> solve(grasp, wrench).stable
+            modes -> ContactModes.of_grasp(grasp)
+            n_contacts -> len(grasp)
+            planes -> tangential_arrangement() or motion_arrangement()
+            resisted -> ResistedSet(grasp).along(wrench)
+            resisted_set -> ResistedSet(grasp)
+            to_dataframe to_pandas -> pandas.DataFrame([c.to_dict() for c in grasp])
+            wrench_space -> GraspWrenchSpace(grasp)
+        """),
     }
-    _main = ("contacts", "with_friction", "with_preload", "tangential_arrangement", "draw", "save")
+    _main: ClassVar[Mapping[str, str]] = {
+        "describe": "contacts dimension units outline",
+        "change": "with_friction with_preload with_adhesion",
+        "show and save": "draw lab save to_dict tangential_arrangement motion_arrangement",
+    }
 
     def __init__(
         self,
@@ -219,10 +201,16 @@ class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
         outline: Outline | None = None,
         data_error: DataError | None = None,
     ) -> None:
-        listed = entries(contacts, "contacts", "Contact values")
+        if isinstance(contacts, (str, os.PathLike)):
+            raise GraspError(f"contacts is {shown(contacts)}; write read_grasp({contacts!r})")
+        listed = entries(contacts, "contacts", "Contact values, [first, second]")
         for i, contact in enumerate(listed):
             if not isinstance(contact, Contact):
-                raise GraspError(f"contacts[{i}] is {shown(contact)}; give Contact values")
+                raise GraspError(
+                    f"contacts[{i}] is {shown(contact)}; write Contact(point, normal, friction) "
+                    "for each, or for arrays equilibrium.inputs.from_float_data(points, normals, "
+                    "friction).grasp"
+                )
         if units is not None and not isinstance(units, Units):
             raise GraspError(f"units is {shown(units)}; give a Units value or omit it")
         if outline is not None and not isinstance(outline, (Polygon, Circle, Mesh)):
@@ -408,10 +396,9 @@ class Grasp(HintsMixin, ContactValuesMixin, DrawableGrasp):
         return replace(self, outline=outline)
 
     def lab(self) -> Any:
-        """Return a page in which contacts and load are dragged; a notebook shows it in a cell.
+        """Return a page to drag contacts in a notebook; `equilibrium lab` writes it to a file.
 
-        The command `equilibrium lab` writes the page to a file. With anywidget (the extra notebook)
-        its attributes `grasp` and `wrench` are what the page shows.
+        With anywidget (the extra notebook) its attributes `grasp` and `wrench` are what it shows.
 
         Raises:
             InputError: more than 8 contacts, or contacts in space.

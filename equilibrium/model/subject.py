@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, TypeAlias
 
+from arrangement.hints import HintsMixin
 from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.rank import difference
 
@@ -141,7 +142,7 @@ class LoadCase:
         return by_body(self.subject, self.load)
 
 
-class AboutCaseMixin:
+class AboutCaseMixin(HintsMixin):
     """What a result says of its question, `case`."""
 
     case: LoadCase

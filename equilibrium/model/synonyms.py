@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from arrangement.synonyms import by_word
+
 #: By subject.
 STATICS: Mapping[str, Mapping[str, str]] = {
     "Supports and loads": {
@@ -65,15 +67,13 @@ NAMES: Mapping[str, str] = {
 _WRENCH = "wrench=[f_x, f_y, torque]"
 
 #: Other words for arguments of `equilibrium.solve` and what is computed as it is.
-ARGUMENTS: Mapping[str, str] = {
-    **dict.fromkeys(
-        ("direction", "external_wrench", "f", "force", "forces", "load", "moment", "tau"), _WRENCH
-    ),
-    **dict.fromkeys(("torque", "w", "weight", "gravity", "wrenches"), _WRENCH),
-    **dict.fromkeys(("contacts", "assembly", "system"), "grasp"),
-    **dict.fromkeys(("friction", "mu"), "grasp.with_friction(friction)"),
-    "preload": "grasp.with_preload(preload)",
-    "timeout": "time_limit",
-    "parameter": "letter",
-    "literal": "as_printed",
-}
+ARGUMENTS: Mapping[str, str] = by_word("""
+    direction external_wrench f force forces load moment tau torque w -> wrench=[f_x, f_y, torque]
+    weight gravity wrenches -> wrench=[f_x, f_y, torque]
+    contacts assembly system -> grasp
+    friction mu -> grasp.with_friction(friction)
+    preload -> grasp.with_preload(preload)
+    timeout -> time_limit
+    parameter -> letter
+    literal -> as_printed
+""")

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.plugins import method_code
-from arrangement.errors import hints_on_arguments
+from arrangement.hints import hints_on_arguments
 from arrangement.library.files.json_files import Source
 from arrangement.numbers.exact import rational, shown, simplest_between, to_text
 from arrangement.numbers.functions import Domain, Function, Span

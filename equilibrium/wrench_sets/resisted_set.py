@@ -12,8 +12,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 from arrangement.console.number_form import JsonMixin
-from arrangement.errors import HintsMixin
 from arrangement.numbers.exact import vector_text
+from arrangement.synonyms import by_word
 from equilibrium.decide.assemblies.ends import Giving, ends_of
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
@@ -46,7 +46,7 @@ if TYPE_CHECKING:
 Load: TypeAlias = Iterable[Any] | Mapping[str, Iterable[Any]]
 
 
-class ResistedSet(HintsMixin, JsonMixin):
+class ResistedSet(JsonMixin):
     """The set of wrenches that a grasp resists.
 
     In the plane it is a finite union of convex polyhedra of wrenches ``(f_x, f_y, tau)``, and every
@@ -81,27 +81,22 @@ class ResistedSet(HintsMixin, JsonMixin):
     json_fields = ("polyhedra",)
     _synonyms: ClassVar[Mapping[str, str]] = {
         **{word: name.removeprefix("ResistedSet(G).") for word, name in NAMES.items()},
-        "check_loads": "check(wrenches)",
-        "epsilon": "smallest_outside().size, or GraspWrenchSpace(grasp).epsilon",
-        "friction": "margin(wrench).friction()",
-        "least_friction": "margin(wrench).friction()",
-        "limit": "along(direction)",
-        "magnitudes": "along(direction)",
-        "pieces": "polyhedra",
-        "plot": "draw()",
-        "region": "slice(u, v)",
-        "resists": "contains(wrench)",
-        "resisted_magnitudes": "along(direction)",
-        **dict.fromkeys(("largest", "max", "max_load", "maximum"), "along(direction)"),
-        "resisted_region": "slice(u, v)",
-        "search_map": "search()",
-        "show": "draw()",
-        "smallest_unresisted_wrench": "smallest_outside()",
-        "spatial_magnitudes": "along(direction)",
-        "states_at": "solve(wrench).equilibria, each with its states",
-        "sufficient_preloads": "margin(wrench).preloads, or preloads(wrenches, contacts)",
+        **by_word("""
+            limit largest magnitudes max max_load maximum -> along(direction)
+            epsilon -> smallest_outside().size, or GraspWrenchSpace(grasp).epsilon
+            friction least_friction -> margin(wrench).friction()
+            sufficient_preloads -> margin(wrench).preloads, or preloads(wrenches, contacts)
+            pieces -> polyhedra
+            plot show -> draw()
+            region resisted_region -> slice(u, v)
+            resists -> contains(wrench)
+        """),
     }
-    _main = ("along", "slice", "margin", "contains", "smallest_outside", "polyhedra", "draw")
+    _main: ClassVar[Mapping[str, str]] = {
+        "one wrench": "contains solve margin",
+        "many": "along slice polyhedra smallest_outside check",
+        "show": "draw to_dict",
+    }
 
     def __init__(
         self, grasp: Grasp | Assembly, *, max_displacement: Any = None, pyramid: int | None = None

@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import Any
 
 from arrangement.console.number_form import JsonMixin
-from arrangement.errors import hints_on_arguments
+from arrangement.hints import hints_on_arguments
 from arrangement.library.files.json_files import Source
 from arrangement.numbers.functions import Span
 from equilibrium.grasps.inputs.parameter import question_document

@@ -26,7 +26,8 @@ from pathlib import Path
 from typing import Any
 
 from arrangement.console.number_form import ReprMixin
-from arrangement.errors import InputError, hints_on_arguments
+from arrangement.errors import InputError
+from arrangement.hints import hints_on_arguments
 from arrangement.library.files.json_files import (
     Source,
     check_keys,

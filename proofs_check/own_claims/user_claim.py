@@ -29,7 +29,7 @@ from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import counted
 from arrangement.counts.whitney import why_none_is_bounded
 from arrangement.duals.zonohedron import dual_polyhedron
-from arrangement.errors import hints_on_arguments
+from arrangement.hints import hints_on_arguments
 from arrangement.library.census import MOST_LINES
 from proofs_check.errors import OwnClaimError
 from proofs_check.instances.arrangements import census_cases, line_cases

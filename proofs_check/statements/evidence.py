@@ -119,6 +119,7 @@ class Evidence(ReprMixin):
 class Result(ReprMixin):
     """A claim with its evidence, and the time it took. The verdict follows from the evidence."""
 
+    repr_fields = ("verdict", "tried", "evidence", "claim")
     claim: Claim
     evidence: Evidence
     milliseconds: int | None = field(default=None, compare=False)
@@ -187,11 +188,8 @@ def strength_from(verdict: ClaimVerdict | None, kind: Kind) -> Strength | None:
         return None
     if verdict is ClaimVerdict.REFUTED:
         return Strength.REFUTED
-    return {
-        Kind.PROVED: Strength.PROVED,
-        Kind.EXHAUSTIVE: Strength.ALL_CASES,
-        Kind.SAMPLED: Strength.SAMPLED,
-    }[kind]
+    stronger = {Kind.PROVED: Strength.PROVED, Kind.EXHAUSTIVE: Strength.ALL_CASES}
+    return stronger.get(kind, Strength.SAMPLED)
 
 
 def check(claim: Claim, case: Case) -> Record:

@@ -15,7 +15,7 @@ from difflib import get_close_matches
 from enum import Enum
 from itertools import chain
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.numbers.exact import shown
@@ -315,13 +315,18 @@ class Claim(ReprMixin):
 
 
 class Registry(ReprMixin):
-    """Claims by id, in order of entry; ids are unique.
+    """Claims by id, in order of entry, in which it is iterated; ids are unique.
 
     Args:
         claims: to enter first.
         later: what makes the claim of an id when it is asked for, so that a topic loads alone.
     """
 
+    _synonyms: ClassVar[Mapping[str, str]] = {
+        "get": "[id]",
+        "keys": "ids",
+        **dict.fromkeys(("claims", "items", "values"), "list(registry())"),
+    }
     repr_fields = ("ids",)
 
     def __init__(
@@ -360,6 +365,7 @@ class Registry(ReprMixin):
     def __getitem__(self, id: str) -> Claim:
         if id in self._claims:
             return self._claims[id]()
+        id = str(id)
         place = id.replace(" ", "").lower()
         near = [claim.id for claim in self if claim.locator.replace(" ", "").lower() == place]
         near = near or get_close_matches(id, self._claims, n=3, cutoff=0.4)

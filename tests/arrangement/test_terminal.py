@@ -23,8 +23,9 @@ from arrangement.console import progress, terminal
 from arrangement.console.entry import entry
 from arrangement.console.options import values
 from arrangement.console.options.parser import Parser
-from arrangement.console.options.signature import Syntax, options_of, summary
+from arrangement.console.options.signature import Syntax, options_of
 from arrangement.console.progress import Bar, shown, watched
+from arrangement.hints import summary
 from arrangement.numbers import budget
 
 

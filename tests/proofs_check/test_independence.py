@@ -17,10 +17,11 @@ from proofs_check.statements.statement import Claim
 ROOT = Path(__file__).resolve().parent.parent.parent
 PACKAGES = ("arrangement", "equilibrium", "proofs_check")
 #: What each implementation may use: numbers, the data of arrangements and grasps, instances, lines
-#: of progress, and errors that name what is there.
+#: of progress, errors, and answers that name what is there.
 COMMON = (
     "arrangement/console/",
     "arrangement/errors.py",
+    "arrangement/hints.py",
     "arrangement/numbers/",
     "arrangement/planes/planes.py",
     "equilibrium/model/",

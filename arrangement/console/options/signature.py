@@ -19,6 +19,8 @@ from functools import cache
 from types import SimpleNamespace, UnionType
 from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
+from arrangement.hints import argument_texts
+
 from .parser import Parser
 from .values import integer_argument, length_argument
 
@@ -138,26 +140,3 @@ def _syntax(kind: Any) -> Syntax:
     if get_origin(kind) is Annotated:
         return next(x for x in kind.__metadata__ if isinstance(x, Syntax))
     return USUAL_SYNTAX[kind]
-
-
-def argument_texts(docstring: str) -> dict[str, str]:
-    """Return what the section ``Args`` of a docstring in Google style says of each argument.
-
-    >>> argument_texts("Turn.\\n\\nArgs:\\n    x, y: a point\\n        of the plane.\\n\\nRaises:")
-    {'x': 'a point of the plane.', 'y': 'a point of the plane.'}
-    """
-    texts: dict[str, str] = {}
-    names: list[str] = []
-    for line in docstring.partition("Args:\n")[2].partition("\n\n")[0].splitlines():
-        if line.startswith("    ") and not line.startswith("     "):
-            head, _, line = line.partition(":")
-            names = head.strip().split(", ")
-        for name in names:
-            texts[name] = f"{texts.get(name, '')} {line.strip()}".strip()
-    return texts
-
-
-def summary(function: Callable[..., Any]) -> str:
-    """Return the first paragraph of the docstring on one line, without the full stop."""
-    first = (inspect.getdoc(function) or "").partition("\n\n")[0]
-    return " ".join(first.split()).rstrip(".")

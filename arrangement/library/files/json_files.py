@@ -158,7 +158,9 @@ def _built_in(name: str) -> Traversable | None:
 def _path_text(source: Any) -> str:
     if not isinstance(source, (str, os.PathLike)):
         raise InputError(
-            f"the source is {kind_of(source)}; give a path, a built-in name or a mapping"
+            f"the source is {kind_of(source)}; give a path, a built-in name or a mapping. "
+            "Arrangement(normals, offsets) and equilibrium.inputs.from_float_data(points, normals, "
+            "friction) take arrays"
         )
     return os.fsdecode(source)
 
@@ -169,7 +171,7 @@ def read_text(source: str | os.PathLike[str], kind: str = "bytes of a file") -> 
     Raises:
         InputError: it cannot be read, is longer than `budget.MAX_SIZES` says, or is not UTF-8.
     """
-    name = "standard input" if source == "-" else shown(_path_text(source))
+    name = "standard input" if (path := _path_text(source)) == "-" else shown(path)
     for kind_of_file, use in _UNREAD.items():
         if re.search(rf"\.({kind_of_file})$", _path_text(source), re.IGNORECASE):
             raise InputError(f"{name} is {use}")

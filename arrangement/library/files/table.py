@@ -13,7 +13,8 @@ from typing import Any
 from arrangement.arrangement import Arrangement
 from arrangement.console.plugins import import_object, registry_entries
 from arrangement.console.writing import document_text, write_text_atomically
-from arrangement.errors import InputError, hints_on_arguments
+from arrangement.errors import InputError
+from arrangement.hints import hints_on_arguments
 from arrangement.library.files.documents import Format
 from arrangement.library.files.json_files import Source, parse_json, read_text
 from arrangement.numbers import budget

@@ -9,7 +9,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from arrangement.errors import hints_on_arguments
+from arrangement.hints import hints_on_arguments
 from arrangement.library.files.json_files import Source, check_keys, check_list
 from arrangement.numbers import budget
 from arrangement.numbers.exact import to_text
