@@ -68,7 +68,7 @@ ARRANGEMENT = [
     ("count escape.json", "unknown key"),
     ("count prose.sage", "there is no line such as H.<x,y>"),
     ("count prose.m2", "there is no arrangement {...}"),
-    ("count prose.csv", "not an exact number"),
+    ("count prose.csv", "is a text that begins with 'x y'. It is in none of"),
     ("count prose.dot", "only written"),
     ("count prose.json", "not valid JSON"),
     ("count complex.json", "embedding"),
@@ -246,8 +246,8 @@ CONVERTED = [
 ]
 #: Files that hold no grasp.
 NO_GRASPS = [
-    ("a.xlsx", "PK", "'a.xlsx' is a spreadsheet; save it as CSV"),
-    ("a.yaml", "contacts:", "'a.yaml' is not JSON; write the same keys and lists as JSON"),
+    ("a.xlsx", "PK", "'a.xlsx' is a spreadsheet or another zip archive; save it as CSV"),
+    ("a.yaml", "contacts:", "'a.yaml' is YAML; write the same keys and lists as JSON"),
     ("a.csv", "id,x,y,nx,ny,mu\n", "the column 'id' is unknown; leave it out, or name it one"),
     (
         "a.json",

@@ -381,12 +381,7 @@ def bodies_of(arguments: argparse.Namespace) -> Bodies | None:
         if "bodies" not in document:
             arguments.grasp = document  # what came on stdin can be read once
             return None
-        if has_decimals(document):
-            raise GraspError(
-                "the assembly has decimals; write numbers as integers or as strings such as "
-                '"1/4", "-0.25"'
-            )
-        if arguments.round_normals:
+        if arguments.round_normals or has_decimals(document["contacts"]):
             document, contacts = with_unit_normals(document, as_given=arguments.as_given)
             tell_rounding(contacts)
         assembly = Assembly.from_dict(document)

@@ -11,6 +11,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from arrangement.errors import InputError, OutOfReachError
+from arrangement.library.files.content import content_kind
 from arrangement.library.files.json_files import (
     Source,
     check_document,
@@ -38,19 +39,12 @@ _OF_FLOATS = (
     "Measured contacts are converted by `equilibrium make floats`, from a table (.csv), from "
     "contacts, or from lists of points and normals"
 )
-_ROOT = re.compile(r"\s*(?:<[?!][^>]*>\s*)*<([A-Za-z_][\w.:-]*)")
 _SCENE = re.compile(r'\s*\{\s*"schema_version":\s*1,\s*"law":')
 #: Keys of a grasp with its load.
 _QUESTION = {"schema_version", "grasp", "wrench"}
-_XML = {
-    "COLLADA": "a COLLADA model",
-    "mujoco": "an MJCF model of MuJoCo (`equilibrium draw --model scene` writes such scenes)",
-    "robot": "a URDF model",
-    "sdf": "an SDF model",
-}
 _READ = (
-    "a grasp is a JSON document with a list of contacts, or a .csv file with one contact a line "
-    "(contacts on a mesh: `equilibrium make mesh`)"
+    "Expected a grasp: a .csv file of lines such as x,y,nx,ny,friction and 1,0,-1,0,0.5, or JSON "
+    'such as {"contacts": [{"point": [1, 0], "normal": [-1, 0], "friction": "1/2"}]}'
 )
 
 
@@ -95,13 +89,12 @@ def read_contacts(
     if isinstance(source, Mapping):
         return read_document(source, expected)
     text, name = read_text(source)
-    if root := _ROOT.match(text):
-        kind = _XML.get(root[1], f"XML with the root <{root[1][:40]}>")
-        raise GraspError(f"{name} is {kind}; {_READ}")
-    if source == "-" and text.lstrip()[:1] not in {*"{["}:
-        raise GraspError(
-            "standard input is not JSON; tables are read from files whose names end in .csv"
-        )
+    if text.lstrip()[:1] not in {*'{["'}:
+        if source == "-":
+            raise GraspError(
+                "standard input is not JSON; tables are read from files whose names end in .csv"
+            )
+        raise GraspError(f"{name} is {content_kind(text)}. {_READ}")
     if _SCENE.match(text):
         raise GraspError(
             f"{name} is a scene of `equilibrium draw --model scene`; the value of its key "

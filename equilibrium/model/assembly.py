@@ -263,7 +263,7 @@ class Assembly(ContactValuesMixin):
                 if name is not None and name not in known:
                     raise GraspError(
                         f"contacts[{i}] is with {shown(name)}; expected one of the bodies "
-                        f"{', '.join(known) or '(there are none)'}"
+                        f"{', '.join(known) or '(there are none)'}, or null for the ground"
                     )
         if units is not None and not isinstance(units, Units):
             raise GraspError(f"units is {shown(units)}; expected a Units value or None")

@@ -18,12 +18,12 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from typing import Any, ClassVar
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.hints import hints_on_assignment
-from arrangement.library.files.json_files import check_keys, check_list
+from arrangement.library.files.json_files import check_all, check_keys, check_list
 from arrangement.numbers import budget
 from arrangement.numbers.exact import (
     RationalVector,
@@ -250,8 +250,12 @@ def adhesion_wrench(contacts: Iterable[Any], size: int) -> RationalVector:
 
 def check_contacts(entries: Any) -> None:
     """Refuse a contact of a document that has other keys, or lacks some."""
-    for i, entry in enumerate(check_list(entries, "contacts")):
-        check_keys(entry, _REQUIRED, _OPTIONAL, f"contacts[{i}]")
+    check_all(
+        *(
+            partial(check_keys, entry, _REQUIRED, _OPTIONAL, f"contacts[{i}]")
+            for i, entry in enumerate(check_list(entries, "contacts"))
+        )
+    )
 
 
 def contact_of(entry: Any, index: int) -> Contact:

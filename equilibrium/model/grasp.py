@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
@@ -462,7 +462,11 @@ class Grasp(ContactValuesMixin, DrawableGrasp):
         units = Units.from_dict(document["units"]) if "units" in document else None
         outline = read_outline(document["outline"]) if "outline" in document else None
         error = DataError.from_dict(document["data_error"]) if "data_error" in document else None
-        made = [contact_of(entry, i) for i, entry in enumerate(contacts)]
+        try:
+            made = [contact_of(entry, i) for i, entry in enumerate(contacts)]
+        except GraspError:
+            check_all(*(partial(contact_of, entry, i) for i, entry in enumerate(contacts)))
+            raise
         return cls(made, units, outline, error)
 
 

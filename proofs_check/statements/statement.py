@@ -375,7 +375,8 @@ class Registry(ReprMixin):
         ]
         hint = f"the nearest are {', '.join(near[:4])}" if near else "no id is near"
         raise UnknownClaimError(
-            f"no claim has the id {shown(id)}; {hint} (proofs-check list has all)"
+            f"no claim has the id {shown(id)}; {hint} (proofs-check list has all, and run without "
+            "an id checks all; files of claims end in .py, tables of printed numbers in .csv)"
         )
 
 

@@ -1,5 +1,6 @@
 """Assemblies from tables and touching polygons; their weights, modes and description."""
 
+import json
 import math
 import random
 from fractions import Fraction
@@ -34,6 +35,21 @@ FLOOR = [[-9, -1], [9, -1], [9, 0], [-9, 0]]
 def box(x, y, width=2, height=1):
     x, y, width, height = map(Fraction, (x, y, width, height))
     return [[x, y], [x + width, y], [x + width, y + height], [x, y + height]]
+
+
+def test_decimals_of_an_assembly_are_read(tmp_path, run):
+    contacts = [
+        {"body_a": "box", "body_b": None, "point": [x, 0.5], "normal": [0, 1], "friction": 0.5}
+        for x in (-0.5, 0.5)
+    ]
+    document = {"schema_version": 1, "bodies": ["box"], "contacts": contacts}
+    path = tmp_path / "box.json"
+    path.write_text(json.dumps(document | {"wrench": {"box": [0, -1.5, 0.25]}}))
+    assert run("solve {}", path).startswith("resisted: ")
+    contacts[1]["body_b"] = "floor"
+    path.write_text(json.dumps(document))
+    run("solve {} --on box 0 -1 0", path, code=2)
+    assert "expected one of the bodies box, or null for the ground" in run.err
 
 
 def touches(assembly):

@@ -407,10 +407,10 @@ def test_bare_list_of_contacts_is_a_grasp(tmp_path):
     [
         (
             '<?xml version="1.0"?>\n<!-- -->\n<robot name="a"/>',
-            "is a URDF model; a grasp is a JSON",
+            "is a URDF model. Expected a grasp: a .csv file",
         ),
         (SCENE.mjcf(), "is an MJCF model of MuJoCo"),
-        ("<html>", "is XML with the root <html>"),
+        ("<html>", "is an HTML page. Expected a grasp"),
         (document_text(SCENE.document()), "is a scene of `equilibrium draw --model scene`"),
         ('[{"point": ["1", "0"]}]', 'contacts\\[0\\] has no keys "normal", "friction"'),
         ("[[1, 0]]", "holds a list; a document is a JSON object"),
@@ -491,6 +491,42 @@ def test_csv_heads_that_do_not_fit_are_named(head, message):
         text = f"{head}\n-1.5,0,0,0.5,1,1\n"
     with pytest.raises(GraspError, match=message):
         parse_csv(text)
+
+
+def test_csv_columns_may_be_separated_by_spaces(tmp_path):
+    text = PLAIN.replace(",", "  ")
+    assert parse_csv(text).grasp == FINGERS
+    assert read_grasp(written(tmp_path, "grasp.txt", text)) == FINGERS
+
+
+def test_csv_faults_are_named_at_once():
+    head, *rows = PLAIN.splitlines()
+    bad = ["a,0,1,0,1/2,1", "0,0,0,0,1/2,1", "0,0,1,0,-1/2,1", "0,0,1,0,1/2,b"]
+    with pytest.raises(GraspError) as refused:
+        parse_csv("\n".join([head, *rows, *bad]))
+    faults = str(refused.value).split("; line ")
+    starts = [
+        "line 4: x is 'a'",
+        "5: direction is (0, 0)",
+        "6: friction is -1/2",
+        "7: preload is 'b'",
+    ]
+    assert len(faults) == len(starts)
+    assert all(map(str.startswith, faults, starts))
+    with pytest.raises(GraspError, match=r"; line 7: x is .*; 4 more lines$"):
+        parse_csv("\n".join([head, *["a,0,1,0,1/2,1"] * 2, rows[0], *["a,0,1,0,1/2,1"] * 7]))
+    with pytest.raises(GraspError, match="since the first line has numbers alone; put a line of"):
+        parse_csv("\n".join(rows))
+
+
+def test_faults_of_contacts_are_named_at_once():
+    contact = {"point": [0, 0], "normal": [0, 1], "friction": 1}
+    contacts = [contact, contact | {"colour": 1}, {"point": [0, 0]}]
+    with pytest.raises(InputError, match=r"contacts\[1\] has the unknown.*; contacts\[2\] has no"):
+        Grasp.from_dict({"schema_version": 1, "contacts": contacts})
+    contacts = [contact | {"friction": -1}, contact, contact | {"point": [0]}]
+    with pytest.raises(InputError, match=r"contacts\[0\]: friction is -1.*; contacts\[2\]: "):
+        Grasp.from_dict({"schema_version": 1, "contacts": contacts})
 
 
 @pytest.mark.parametrize("name", ["grasp.csv", "grasp.txt", "grasp.tsv"])

@@ -52,6 +52,15 @@ def test_table_answered_on_stdout(run):
     assert list(csv.reader(printed.splitlines())) == ANSWERS
 
 
+def test_arrays_of_one_grasp_need_no_axis_of_grasps(files, run):
+    one = {name: array[:1] for name, array in ARRAYS.items() if name in ("points", "normals")}
+    np.savez("first.npz", **ARRAYS | one)
+    np.savez("one.npz", **ARRAYS | {name: array[0] for name, array in one.items()})
+    assert run("solve one.npz --weight 1", code=None) == run(
+        "solve first.npz --weight 1", code=None
+    )
+
+
 def test_answers_written_as_csv_and_npz(files, run):
     for name in ("answers.csv", "answers.npz"):
         printed = run("solve grasps.csv --wrenches loads.csv -o", name, code=1)
@@ -181,7 +190,7 @@ def test_grasps_in_space_read(files, run):
         ("letters.csv --weight 1", "line 2: x is 'left'"),
         ("grasps.csv --wrenches half.csv", "half.csv has no loads of the grasp 'b, 2'"),
         ("grasps.csv --wrench 0 0 1 0 0 0", "wrench has 6 entries"),
-        ("bodies.csv --weight 1", "the column 'body_a' is unknown"),
+        ("bodies.csv --weight 1", "the columns 'body_a', 'body_b' are unknown"),
         ("grasps.csv --wrenches third.csv", "loads of 'c'; expected names of grasps"),
     ],
 )

@@ -32,12 +32,14 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from arrangement.arrangement import Arrangement
 from arrangement.console.plugins import import_object, registry_entries
 from arrangement.errors import InputError
 from arrangement.library.files.json_files import (
+    check_all,
     check_document,
     check_keys,
     check_list,
@@ -45,7 +47,7 @@ from arrangement.library.files.json_files import (
     parse_json,
 )
 from arrangement.numbers import budget
-from arrangement.numbers.exact import IntegerVector, bit_size, rational_vector, shown
+from arrangement.numbers.exact import IntegerVector, bit_size, rational, rational_vector, shown
 from arrangement.planes.polygon import convex_polygon
 from arrangement.segments import Segments
 
@@ -125,12 +127,32 @@ def _planes(document: Mapping[str, Any]) -> Arrangement:
     planes = check_list(document["planes"], "planes")
     lengths = (len(row) for row in planes if isinstance(row, (list, tuple)))
     budget.check_size(max(lengths, default=0), "coordinates", "planes")
-    return Arrangement(
+    return with_all_faults(
         [numbers(row, f"planes[{i}]") for i, row in enumerate(planes)],
         numbers(document["offsets"], "offsets") if "offsets" in document else None,
         dimension=_dimension(document["dimension"]) if "dimension" in document else None,
         names=check_list(document.get("names", []), "names"),
     )
+
+
+def with_all_faults(
+    normals: Sequence[Any], offsets: Sequence[Any] | None = None, **more: Any
+) -> Arrangement:
+    """Return an arrangement; the error names all entries that are not numbers, not only one."""
+    try:
+        return Arrangement(normals, offsets, **more)
+    except InputError:
+        rows = [(f"of normal {i}", row) for i, row in enumerate(normals, 1)]
+        rows += [("of the offsets", offsets)] if offsets is not None else []
+        check_all(
+            *(
+                partial(rational, entry, f"entry {k} {where}")
+                for where, row in rows
+                for k, entry in enumerate(row, 1)
+                if isinstance(entry, str)
+            )
+        )
+        raise
 
 
 def _polygon(document: Mapping[str, Any]) -> Arrangement:

@@ -14,9 +14,8 @@ import json
 import os
 import re
 import sys
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from difflib import get_close_matches
-from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
@@ -26,6 +25,8 @@ from arrangement.console.writing import reason
 from arrangement.errors import InputError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import integer, shown
+
+from .content import content_kind
 
 if TYPE_CHECKING:
     from importlib.resources.abc import Traversable
@@ -123,7 +124,8 @@ def check_all(*checks: Callable[[], object]) -> None:
         except InputError as error:
             refused.append(str(error))
     if refused:
-        raise InputError("; ".join(refused))
+        more = [f"{len(refused) - 5} more such"] * (len(refused) > 5)
+        raise InputError("; ".join([*refused[:5], *more]))
 
 
 def check_list(value: Any, where: str, length: int | None = None) -> list[Any]:
@@ -172,20 +174,15 @@ def read_text(source: str | os.PathLike[str], kind: str = "bytes of a file") -> 
         InputError: it cannot be read, is longer than `budget.MAX_SIZES` says, or is not UTF-8.
     """
     name = "standard input" if (path := _path_text(source)) == "-" else shown(path)
-    for kind_of_file, use in _UNREAD.items():
-        if re.search(rf"\.({kind_of_file})$", _path_text(source), re.IGNORECASE):
-            raise InputError(f"{name} is {use}")
+    content = read_bytes(source, name, kind)
     try:
-        return read_bytes(source, name, kind).decode("utf-8-sig"), name
+        return content.decode("utf-8-sig"), name
     except UnicodeDecodeError as error:
-        raise InputError(f"{name} is not UTF-8 text (byte {error.start} is wrong)") from None
+        where = f"not UTF-8 text (byte {error.start} is wrong)"
+        known = content_kind(content)
+        raise InputError(f"{name} is {where if 'UTF-8' in known else known}") from None
 
 
-#: Endings of files that are not read, with what they are and what to do.
-_UNREAD = {
-    "xlsx?|ods|numbers": "a spreadsheet; save it as CSV, and give the file .csv",
-    "ya?ml|toml": "not JSON; write the same keys and lists as JSON, or a table as CSV",
-}
 #: Parts of names of what is made, in small letters, with an example of a command.
 MADE = {
     "arch": "equilibrium make arch",
@@ -248,20 +245,25 @@ def parse_json(
         floats: reads one; None refuses all.
         of_floats: what converts them, for the refusal of one.
     """
+    refused: list[str] = []
     try:
-        return json.loads(
+        value = json.loads(
             text,
             object_pairs_hook=_without_duplicates,
             parse_int=_parse_integer,
-            parse_float=floats or partial(_refuse_float, of_floats),
+            parse_float=floats or refused.append,
             parse_constant=_refuse_constant,
         )
+        _refuse_floats(refused, of_floats)
+        return value
     except InputError as error:
         raise InputError(f"{name}: {error}") from None
     except json.JSONDecodeError as error:
-        raise InputError(
-            f"{name} is not valid JSON: {error.msg} (line {error.lineno}, column {error.colno})"
-        ) from None
+        place = f"{error.msg} (line {error.lineno}, column {error.colno})"
+        known = content_kind(text)
+        is_other = text.lstrip()[:1] not in {*'{["'} or not known.startswith("a text")
+        why = f", but {known}" if is_other else f": {place}"
+        raise InputError(f"{name} is not valid JSON{why}") from None
     except RecursionError:
         raise InputError(f"{name} is nested too deeply; no document needs that") from None
 
@@ -281,12 +283,16 @@ def _parse_integer(text: str) -> int:
     return integer(text)
 
 
-def _refuse_float(of_floats: str, text: str) -> Any:
+def _refuse_floats(texts: Sequence[str], of_floats: str) -> None:
+    if not texts:
+        return
     remedy = f". {of_floats}" if of_floats else ""
-    raise InputError(
-        f"the number {shown(text)} is a float; write an integer or a string such as "
-        f'"1/4", "-0.25"{remedy}'
-    )
+    more = f" and {len(texts) - 3} more" if len(texts) > 3 else ""
+    some = ", ".join(map(shown, texts[:3]))
+    what = f"the numbers {some}{more} are floats; write integers or strings"
+    if len(texts) == 1:
+        what = f"the number {shown(texts[0])} is a float; write an integer or a string"
+    raise InputError(f'{what} such as "1/4", "-0.25"{remedy}')
 
 
 def _refuse_constant(text: str) -> Any:

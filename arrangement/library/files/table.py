@@ -15,6 +15,7 @@ from arrangement.console.plugins import import_object, registry_entries
 from arrangement.console.writing import document_text, write_text_atomically
 from arrangement.errors import InputError
 from arrangement.hints import hints_on_arguments
+from arrangement.library.files.content import content_kind
 from arrangement.library.files.documents import Format
 from arrangement.library.files.json_files import Source, parse_json, read_text
 from arrangement.numbers import budget
@@ -48,7 +49,9 @@ FORMATS: dict[str, Format] = {
 #: Points, in place of a file.
 _CORNERS = re.compile(r"(?=[^,]*,)[-+0-9./,;()\[\]\s]+")
 #: Normals, in place of a file.
-_NORMALS = re.compile(r"\s*[\[(]\s*[\[(][-+0-9./,;()\[\]\s]+")
+_NORMALS = re.compile(r"\s*[\[(]\s*[\[(][-+0-9./,;()\[\]\s]+|\s*\[[^\[]*\]\s*,\s*\[.*\]\s*")
+_ROWS = re.compile(r"(?=.*;)(?=.*[0-9][\s,]+[-+.]*[0-9])[-+0-9./,;|\s]+")
+_OF_FLOATS = "Decimals in lines of a text file, as 0.5 1 | 0.25, are exact numbers"
 _BY_ENDING = {ending: form for form in FORMATS.values() for ending in form.endings}
 
 
@@ -122,12 +125,17 @@ def read_with_rest(
         tables = (import_object(place)(text) for place in registry_entries("tables").values())
         if (table := next((x for x in tables if x is not None), None)) is not None:
             return table, ""
+    kind = "" if form.recognises(text) else content_kind(text)
+    is_words = kind and not (re.search("[0-9]", text) and kind.startswith("a text"))
+    other = form.name == "json" or (form.name == "matrix" and is_words)
+    if other and text.strip() and text.lstrip()[0] not in '{["' and not name.endswith(".json'"):
+        raise InputError(
+            f"{name} is {kind}. It is in none of the formats that are read: "
+            f"{_format_names('read')}; expected such as lines of equations (x + y = 1) or of "
+            "normals (1 1, with an offset 1 1 | 1)"
+        )
     if form.name == "json":
-        if text.strip() and text.lstrip()[0] not in '{["' and not str(source).endswith(".json"):
-            raise InputError(
-                f"{name} is in none of the formats that are read: {_format_names('read')}"
-            )
-        document = parse_json(text, name)
+        document = parse_json(text, name, of_floats=_OF_FLOATS)
         return read(document, name), ", ".join(
             key for key in document if key not in (*documents.KEYS, "polygon")
         )
@@ -138,10 +146,12 @@ def _text_of(source: str | os.PathLike[str]) -> tuple[str, str]:
     """Return a text and its name for messages: of a file, or what stands in its place."""
     if not isinstance(source, str) or os.path.lexists(source):
         return read_text(source)
-    if _NORMALS.fullmatch(source):
-        return source, shown(source)
+    if _NORMALS.fullmatch(source) or _ROWS.fullmatch(source):
+        return source.replace(";", "\n"), shown(source)
     forms = source.replace(",", ";")
-    is_text = "=" in source or (";" in forms and all(map(is_equation, forms.split(";"))))
+    is_text = re.search("[=<>]", source) or (
+        ";" in forms and all(map(is_equation, forms.split(";")))
+    )
     if is_text and Path(source).suffix.lower() not in _BY_ENDING:
         return forms, shown(source)
     return read_text(source)

@@ -118,9 +118,9 @@ def check_grasps(
     adhesion.
 
     Args:
-        points: (G, m, 2), in space (G, m, 3), contact points. A contact whose coordinates are all
-            NaN is missing, whatever its other numbers are: so grasps may have different numbers
-            of contacts.
+        points: (G, m, 2), in space (G, m, 3), of one grasp without G, contact points. A contact
+            whose coordinates are all NaN is missing, whatever its other numbers are: so grasps may
+            have different numbers of contacts.
         normals: like points, directions into the object, of any length but 0.
         friction, preload, stiffness, adhesion: (G, m), or what NumPy broadcasts to it: a number,
             one for each contact (m,), or one for each grasp (G, 1).

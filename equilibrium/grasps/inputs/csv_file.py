@@ -67,9 +67,12 @@ _FORCES = ("preload", "adhesion", "f_x", "f_y", "f_z", "weight")
 _FIRST = r"(?<=\w)\[0\](?= )"
 #: A decimal as in most languages.
 _COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+(?:[eE][+-]?[0-9]+)?")
+_COMMA_FREE = re.compile(r"[-+0-9./eE]+")
 _SEPARATORS = (",", ";", "\t")
 #: Characters in which the first line of a file is looked for.
 _HEAD_SIZE = 2**16
+#: Lines whose faults one error lists.
+_MOST_FAULTS = 5
 #: Line numbers, and entries by column.
 Rows: TypeAlias = Iterable[tuple[int, dict[str, str]]]
 #: Makes contacts of points, normals and values by name.
@@ -100,7 +103,9 @@ def names_in(path: str | os.PathLike[str]) -> set[str]:
 
 def _names(text: str) -> set[str]:
     lines = (line for line in text.splitlines() if line.strip() and line.lstrip()[0] != "#")
-    return {column_of(entry.strip('" '))[0] for entry in re.split(r"[,;\t]", next(lines, ""))}
+    first = next(lines, "").strip()
+    entries = re.split(r"[,;\t]", first) if set(first) & {*_SEPARATORS} else first.split()
+    return {column_of(entry.strip('" '))[0] for entry in entries}
 
 
 def read_csv(
@@ -226,14 +231,19 @@ def read_rows(
         pairs: is given the bodies of each contact; None refuses a table that has some.
     """
     lines, points, normals, values, extras = [], [], [], [], []
+    refused: list[str] = []
     for line, row in rows:
         if pairs is None and BODIES[0] in row:
             raise GraspError("the table has bodies; expected a grasp. `read_assembly` reads it")
-        with _named(line):
-            if pairs is not None:
-                pairs.append(pair_of(*(row.pop(name) for name in BODIES)))
-            exact = {key: rational(row.pop(key), key) for key in (_ANGLE, *EXTRAS) if key in row}
-            entries = {name: number(entry, name) for name, entry in row.items()}
+        try:
+            with _named(line):
+                if pairs is not None:
+                    pairs.append(pair_of(*(row.pop(name) for name in BODIES)))
+                exact = {x: rational(row.pop(x), x) for x in (_ANGLE, *EXTRAS) if x in row}
+                entries = {name: number(entry, name) for name, entry in row.items()}
+        except GraspError as error:
+            refused.append(str(error))
+            continue
         if _ANGLE in exact:
             direction = direction_of(exact.pop(_ANGLE))
             entries |= zip(("normal_x", "normal_y"), direction, strict=True)
@@ -244,12 +254,21 @@ def read_rows(
         values.append({name: entries[name] for name in VALUES if name in entries})
         extras.append(exact)
     try:
-        return completed(convert(points, normals, values), extras)
-    except ValueError:
-        for line, point, normal, value in zip(lines, points, normals, values, strict=True):
+        if not refused:
+            return completed(convert(points, normals, values), extras)
+    except ValueError as error:
+        refused.append(str(error))
+    whole = [text for text in refused if not text.startswith("line ")]
+    faults = [text for text in refused if text.startswith("line ")]
+    for line, point, normal, value in zip(lines, points, normals, values, strict=True):
+        try:
             with _named(line):
                 convert([point], [normal], [value])
-        raise
+        except GraspError as error:
+            faults.append(str(error))
+    faults = sorted(faults, key=lambda text: int(text.split()[1].rstrip(":"))) or whole
+    more = [f"{len(faults) - _MOST_FAULTS} more lines"] * (len(faults) > _MOST_FAULTS)
+    raise GraspError("; ".join([*faults[:_MOST_FAULTS], *more]))
 
 
 @contextmanager
@@ -291,6 +310,9 @@ class Table:
     def __init__(self, text: str) -> None:
         lines = ["" if line.lstrip().startswith("#") else line for line in io.StringIO(text)]
         first = next(filter(str.strip, lines), "")
+        if not set(first) & {*_SEPARATORS} and len(first.split()) > 1:
+            lines = [",".join(line.split()) for line in lines]
+            first = ",".join(first.split())
         self._length, self._separator = text.count("\n"), max(_SEPARATORS, key=first.count)
         self._reader = csv.reader(lines, delimiter=self._separator, strict=True)
         self._head = self._next_entries() or []
@@ -398,6 +420,8 @@ def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:
     if missing:
         near = unknown if len(unknown) == 1 else get_close_matches(missing[0], unknown, 1, 0.5)
         meant = f"; write it for {shown(near[0])}, if that is meant" if near else ""
+        if all(map(_COMMA_FREE.fullmatch, header)):
+            meant = ", since the first line has numbers alone; put a line of names before it"
         where = "for contacts in space" if in_space else f"or {_ANGLE}, in degrees, for the normal"
         if _ANGLE in header:
             where = "with a direction in degrees"
@@ -406,8 +430,10 @@ def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:
             f"{', '.join(required)} ({where})"
         )
     if unknown:
-        mistake = f"the column {shown(unknown[0])} is unknown"
-        remedy = "leave it out, or name it one of"
+        mistake, it = f"the column {shown(unknown[0])} is unknown", "it"
+        if unknown[1:]:
+            mistake, it = f"the columns {', '.join(map(shown, unknown))} are unknown", "them"
+        remedy = f"leave {it} out, or name {it} one of"
         raise GraspError(str(refusal(mistake, unknown[0], allowed, remedy)))
     for name in header:
         if header.count(name) > 1:

@@ -15,7 +15,7 @@ import re
 
 from arrangement.arrangement import Arrangement
 from arrangement.errors import InputError
-from arrangement.library.files.documents import rational_planes
+from arrangement.library.files.documents import rational_planes, with_all_faults
 from arrangement.numbers.exact import shown
 from arrangement.planes.equation_text import equation_text, is_equation, planes_of_text
 
@@ -42,7 +42,7 @@ def recognises_equations(text: str) -> bool:
     lines = _equations(text)
     if not lines or lines[0][0] in '{["<':
         return False
-    return "=" in lines[0] or all(map(is_equation, lines))
+    return bool(re.search("[=<>]", lines[0])) or all(map(is_equation, lines))
 
 
 def read_equations(text: str) -> Arrangement:
@@ -89,19 +89,19 @@ def read(text: str) -> Arrangement:
             "x,y,normal_x,normal_y,friction (contacts), or numbers alone (normals)"
         )
     if not set(plain) & set("()[],;|"):
-        return Arrangement(list(filter(None, map(str.split, plain.splitlines()))))
+        return with_all_faults(list(filter(None, map(str.split, plain.splitlines()))))
     lines = [line for line in plain.splitlines() if line.strip(" \t()[],;")]
     parts = [line.partition("|") for line in lines]
     rows = [numbers(normal) for normal, _, _ in parts]
     if not any(bar for _, bar, _ in parts):
-        return Arrangement(rows)
+        return with_all_faults(rows)
     offsets = [numbers(offset)[0] if bar else "0" for _, bar, offset in parts]
     for (_, _, offset), line in zip(parts, lines, strict=True):
         if len(numbers(offset)) > 1:
             raise InputError(
                 f"the line {shown(line)} has several offsets; write one behind the bar"
             )
-    return Arrangement(rows, offsets)
+    return with_all_faults(rows, offsets)
 
 
 def write(arrangement: Arrangement) -> str:
