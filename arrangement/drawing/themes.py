@@ -44,7 +44,7 @@ def apply_theme(scene: Scene, theme: str) -> Scene:
     if theme == "dark":
         made.polygon(
             [(0, 0), (made.width, 0), (made.width, made.height), (0, made.height)],
-            fc=_hex(_night(_rgba("#ffffff"))),
+            fc=_hex(_night(rgba("#ffffff"))),
             ec="none",
             zorder=-1,
             gid=SHEET,
@@ -56,7 +56,7 @@ def apply_theme(scene: Scene, theme: str) -> Scene:
 
 def dark_colour(colour: Any, *, is_line: bool = False) -> str:
     """Return a colour of the light theme in the dark one; lines and letters are light enough."""
-    return _hex(_night(_rgba(colour), _LINE if is_line else 0.0))
+    return _hex(_night(rgba(colour), _LINE if is_line else 0.0))
 
 
 def _dark(item: Item) -> Item:
@@ -68,9 +68,9 @@ def _dark(item: Item) -> Item:
         if style[key] != "none" and not (key == "ec" and _is_seam(item)):
             style[key] = dark_colour(item.style[key], is_line=True)
     if isinstance(item, Label):
-        style.setdefault("color", _hex(_night(_rgba("black"))))
+        style.setdefault("color", _hex(_night(rgba("black"))))
     elif not isinstance(item, Path) or "ec" not in style:
-        style.setdefault("color" if not isinstance(item, Path) else "ec", _hex(_night(_rgba("k"))))
+        style.setdefault("color" if not isinstance(item, Path) else "ec", _hex(_night(rgba("k"))))
     return replace(item, style=style)
 
 
@@ -90,12 +90,12 @@ def _with_colours(item: Item, change: Callable[[Rgba], str]) -> dict[str, Any]:
 
 
 def _map_colour(colour: Any, change: Callable[[Rgba], str]) -> Any:
-    return colour if isinstance(colour, str) and colour == "none" else change(_rgba(colour))
+    return colour if isinstance(colour, str) and colour == "none" else change(rgba(colour))
 
 
 def _mono(scene: Scene) -> Callable[[Item], Item]:
     """Return the change of an item that belongs to the colours of a scene."""
-    fills = {_rgba(item.style["fc"])[:3] for item in scene.items if _is_hatched(item)}
+    fills = {rgba(item.style["fc"])[:3] for item in scene.items if _is_hatched(item)}
     order = sorted(fills, key=lambda fill: (-round(float(_oklab(fill)[0]), 6), fill))
     first = int(bool(order) and float(_oklab(order[0])[0]) < _PAPER)
     hatches = {fill: _HATCHES[k % len(_HATCHES)] for k, fill in enumerate(order, first)}
@@ -107,16 +107,16 @@ def _mono(scene: Scene) -> Callable[[Item], Item]:
             item, lambda rgba: _hex(_from_oklab((float(_oklab(rgba)[0]), 0.0, 0.0), rgba[3]))
         )
         if _is_hatched(item):
-            hatch = hatches[_rgba(item.style["fc"])[:3]]
+            hatch = hatches[rgba(item.style["fc"])[:3]]
             style |= {"fc": "#ffffff"} | ({"hatch": hatch} if hatch else {})
             if hatch and (style.get("ec") == "none" or _is_seam(item)):
                 style |= {"ec": "#808080", "lw": 0}
             elif _is_seam(item):
                 style["ec"] = "#ffffff"
-        elif item.role == "arrow" and not _is_grey(_rgba(item.style.get("fc", "none"))):
+        elif item.role == "arrow" and not _is_grey(rgba(item.style.get("fc", "none"))):
             style["fc"] = "#000000"
         elif isinstance(item, Path) and style.get("ec", "none") != "none":
-            style["ec"] = "#000000" if not _is_grey(_rgba(item.style["ec"])) else style["ec"]
+            style["ec"] = "#000000" if not _is_grey(rgba(item.style["ec"])) else style["ec"]
         elif isinstance(item, Label):
             style["color"] = "#000000"
             if "plate" in style:
@@ -133,7 +133,7 @@ def _is_hatched(item: Item) -> bool:
     fill = item.style.get("fc", "none")
     if not isinstance(item, Path) or item.role == "arrow" or fill == "none":
         return False
-    return item.style.get("alpha", 1) == 1 and _rgba(fill)[3] == 1 and not _is_grey(_rgba(fill))
+    return item.style.get("alpha", 1) == 1 and rgba(fill)[3] == 1 and not _is_grey(rgba(fill))
 
 
 def _is_seam(item: Item) -> bool:
@@ -142,7 +142,8 @@ def _is_seam(item: Item) -> bool:
     return edge == fill != "none"
 
 
-def _rgba(colour: Any) -> Rgba:
+def rgba(colour: Any) -> Rgba:
+    """Return red, green, blue and how much covers, from 0 to 1, of any colour of matplotlib."""
     from matplotlib.colors import to_rgba
 
     return to_rgba(colour)

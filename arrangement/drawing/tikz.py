@@ -34,6 +34,7 @@ from arrangement.drawing.scene import (
     Place,
     Scene,
 )
+from arrangement.drawing.themes import rgba
 
 _GREEK = "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho"
 #: Signs with the commands for them.
@@ -478,7 +479,7 @@ class _Writer:
 
     def _ball(self, item: Ball) -> _Written:
         """Declare a shading a little larger than the ball, which cuts it smoothly."""
-        near, far = (np.array(_rgba(colour)) for colour in (item.near, item.far))
+        near, far = (np.array(rgba(colour)) for colour in (item.near, item.far))
         name = self._shading(item, near[:3], far[:3])
         cuts, options = [cut(disc(item.centre, item.radius))], {"inner sep": "0pt"}
         if near[3] != far[3]:
@@ -560,7 +561,7 @@ class _Writer:
         """Add a colour under a key, and how much it covers; nothing for no colour."""
         if colour is None or (isinstance(colour, str) and colour == "none"):
             return
-        red, green, blue, own = _rgba(colour)
+        red, green, blue, own = rgba(colour)
         code = "".join(f"{round(255 * x):02X}" for x in (red, green, blue))
         options[key] = self.colours.setdefault(code, f"slipstates{len(self.colours) - 1}")
         cover = own if alpha is None else alpha
@@ -570,12 +571,6 @@ class _Writer:
 
 _NUMBER = re.compile(r"\$([0-9{},]+)\$")
 _UNBROKEN: dict[str, Any] = {"break_long_words": False, "break_on_hyphens": False}
-
-
-def _rgba(colour: Any) -> tuple[float, float, float, float]:
-    from matplotlib.colors import to_rgba
-
-    return to_rgba(colour)
 
 
 def _option_list(options: Options, known: Options | None = None) -> str:

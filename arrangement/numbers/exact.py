@@ -503,13 +503,19 @@ def sum_text(
     return text
 
 
-def sum_of_powers(terms: Iterable[tuple[int, Any]], letter: str = "a") -> str:
-    """Return numbers times powers of a letter, given by their exponents, as text.
+def sum_of_powers(
+    terms: Iterable[tuple[int, Any]],
+    letter: str = "a",
+    times: str = "*",
+    factor: Callable[[Any], str] = to_text,
+) -> str:
+    """Return numbers times powers of a letter, given by their exponents, as `sum_text` does.
 
     >>> sum_of_powers([(2, 3), (1, Fraction(-1, 2)), (0, 1)])
     '3*a^2 - 1/2*a + 1'
     """
-    return sum_text((number, letter * bool(k) + f"^{k}" * (k > 1)) for k, number in terms)
+    powers = ((number, letter * bool(k) + f"^{k}" * (k > 1)) for k, number in terms)
+    return sum_text(powers, times, factor) or "0"
 
 
 def _integer_text(value: int) -> str:

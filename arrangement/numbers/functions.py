@@ -310,7 +310,7 @@ class Function:
 def polynomial_text(polynomial: fmpq_poly, letter: str) -> str:
     """Return a polynomial as text, from the highest power."""
     terms = reversed(list(enumerate(map(_fraction, polynomial.coeffs()))))
-    return sum_of_powers(terms, letter) or "0"
+    return sum_of_powers(terms, letter)
 
 
 def signs_on(polynomial: fmpq_poly, span: Span) -> tuple[set[int], list[tuple[Fraction, Fraction]]]:

@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import Any
 
 from arrangement.console.number_form import counted
-from arrangement.numbers.exact import to_text
+from arrangement.numbers.exact import rational, sum_of_powers, to_text
 from proofs_check.errors import ClaimError
 from proofs_check.routes.proved import COUNTS
 from proofs_check.statements.evidence import Evidence, Failure, Part, Record, Result
@@ -243,14 +243,8 @@ def _polynomial_text(coefficients: Iterable[str]) -> str:
     >>> _polynomial_text(["-1", "1"]), _polynomial_text(["0", "-1", "3/2"])
     ('-1+a', '-a+3/2a^2')
     """
-    text = ""
-    for k, number in enumerate(map(value_text, coefficients)):
-        power = f"a^{k}" if k > 1 else "a" * k
-        sign = "" if number.startswith("-") or not text else "+"
-        if number != "0":
-            text += sign + (number.removesuffix("1") if number in ("1", "-1") and k else number)
-            text += power
-    return text or "0"
+    terms = enumerate(map(rational, coefficients))
+    return sum_of_powers(terms, times="", factor=lambda x: value_text(to_text(x))).replace(" ", "")
 
 
 def _field_text(field: Mapping[str, Any]) -> str:

@@ -122,11 +122,18 @@ class Automorphisms:
                 reached[image[reached]] = True
         return reached
 
-    def _key(self, path: Sequence[tuple[int, int]]) -> _Integers:
-        """Return a number for each vector, by its kind and its products with the path."""
+    def _products_with(
+        self, path: Sequence[tuple[int, int]], rows: slice | NDArray[np.intp] = slice(None)
+    ) -> _Integers:
+        """Return the products of vectors with those of a path, times their signs."""
         columns = [plane for plane, _ in path]
         signs = np.array([sign for _, sign in path], dtype=np.int64)
-        sums = (self._products[:, columns] * signs) @ self._factors[: len(path)]
+        products: _Integers = self._products[rows][:, columns] * signs
+        return products
+
+    def _key(self, path: Sequence[tuple[int, int]]) -> _Integers:
+        """Return a number for each vector, by its kind and its products with the path."""
+        sums = self._products_with(path) @ self._factors[: len(path)]
         key: _Integers = np.abs(sums) ^ self._kinds
         return key
 
@@ -157,9 +164,7 @@ class Automorphisms:
             planes = np.flatnonzero(key == self._keys[depth][source])
         else:
             planes = np.array([source if depth < level else plane])
-        columns = [plane for plane, _ in path]
-        signs = np.array([sign for _, sign in path], dtype=np.int64)
-        products = self._products[planes][:, columns] * signs
+        products = self._products_with(path, planes)
         wanted = self._products[source, self._base[:depth]]
         for sign in (1, -1)[: 2 if path else 1]:
             for place in np.flatnonzero((products * sign == wanted).all(axis=1)):
@@ -171,11 +176,9 @@ class Automorphisms:
         The columns of G at the base span its columns, and those at the path lie among them. If a
         signed permutation of rows takes the first to the second, it keeps the space of columns.
         """
-        columns = [plane for plane, _ in path]
-        signs = np.array([sign for _, sign in path], dtype=np.int64)
         image = np.empty(self.size, dtype=np.intp)
         image[np.argsort(self._keys[-1], kind="stable")] = np.argsort(key, kind="stable")
-        moved = self._products[image][:, columns] * signs
+        moved = self._products_with(path, image)
         here = self._products[:, self._base]
         same = (moved == here).all(axis=1) | (moved == -here).all(axis=1)
         return image if same.all() else None

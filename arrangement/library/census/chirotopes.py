@@ -36,7 +36,6 @@ from numpy.typing import NDArray
 from arrangement.errors import InputError
 
 Signs: TypeAlias = NDArray[np.int8]
-Vectors: TypeAlias = NDArray[np.int64]
 
 #: Entries up to this size have determinants that int64 holds: 6 * 10^18 < 2^63.
 LARGEST_ENTRY = 10**6
