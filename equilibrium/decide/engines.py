@@ -28,7 +28,6 @@ from equilibrium.model.subject import LoadCase
 from equilibrium.plane.coplanar import decide_in_plane
 from equilibrium.plane.search.motion_regions import resistance
 from equilibrium.plane.search.units import SearchUnits
-from equilibrium.plane.states.contact_states import states_at
 
 from .short_leaves import with_short_leaves
 from .state_choices import StateChoices
@@ -121,7 +120,7 @@ class PlanarEngine(Engine):
 
     def states(self, solution: Solution) -> tuple[str, ...]:
         """Return the state of each contact in an equilibrium."""
-        return states_at(self.grasp, solution.motion)
+        return states_of(self.grasp, solution.motion, solution.forces)
 
     def equilibria(self, load: RationalVector) -> tuple[Any, ...]:
         """Return the maximal pieces of the set of all solutions."""
