@@ -130,7 +130,7 @@ def test_processes_answer_in_order(monkeypatch):
 
 
 def test_processes_start_only_where_they_save_more(monkeypatch):
-    monkeypatch.setattr(solver, "done", lambda *_: pytest.fail("a process was started"))
+    monkeypatch.setattr(solver, "run_parts", lambda *_: pytest.fail("a process was started"))
     few = [(0, Fraction(k, 40), 0) for k in range(120)]
     assert len(list(Solver(THREE).solve_many(few, jobs=2))) == 120
     assert Solver(THREE)._processes(100_000, 1000, 2) == 2
