@@ -23,10 +23,10 @@ Returned = TypeVar("Returned")
 #: How alike a misspelt name is to the name that is meant: "zone" and "cone" are less so, and
 #: "decone" and "cone".
 _ALIKE = 0.81
+#: How alike a misspelt synonym is: "to_csv" and "to_svg" are less so.
+_SAME = 0.87
 #: A name that has to be imported: what is called, or has something.
 _FIRST = re.compile(r"(?<![\w.])(\w+)(?=[.(])")
-#: Letters of a name that may stand for a longer one: shorter ones are in too many.
-_LEAST = 5
 _PACKAGES = ("arrangement", "equilibrium", "proofs_check")
 #: Of more arguments than this no call is shown.
 _MANY = 4
@@ -67,39 +67,37 @@ def missing_attribute(owner: object, name: str, synonyms: Mapping[str, str]) -> 
     if isinstance(owner, (ModuleType, type)):
         kind = "module" if isinstance(owner, ModuleType) else "class"
         what = f"{kind} {owner.__name__!r}"
-    text: Any = f"{what} has no attribute {name!r}"
-    if not name.startswith("_"):  # `copy` and `pickle` look for many of these
-        head = text
-        text = _LateText(lambda: head + _advice(owner, name, synonyms))
-    return AttributeError(text, name=name)
+    text = f"{what} has no attribute {name!r}"
+    if name.startswith("_"):  # `copy` and `pickle` look for many of these
+        return AttributeError(text, name=name)
+    return AttributeError(_LateText(lambda: text + _advice(owner, name, synonyms)), name=name)
 
 
 def _advice(owner: object, name: str, synonyms: Mapping[str, str]) -> str:
     """Return what to write for a name that is not there."""
     from difflib import get_close_matches
 
-    uses, word = _uses(owner), name.lower()
+    own: Any = owner if isinstance(owner, (ModuleType, type)) else type(owner)
+    uses, word = _uses(own), name.lower()
     known = {x.lower(): use for x, use in {**uses, **synonyms}.items()}
     if "to_dict" in uses:
-        known.setdefault("to_json", f"json.dumps({_variable(owner)}.to_dict())")
+        known.setdefault("to_json", f"json.dumps({_variable(own)}.to_dict())")
     if use := _meant(word, known):
-        return f"; use {_with_import(owner, use)}"
-    levels = _elsewhere(owner) if name[0].islower() else ()
-    near = [x for x in get_close_matches(word, known, 2, _ALIKE) if x[0] == word[0]]
-    use = (
-        next(filter(None, (_meant(word, level) for level in levels)), "")
-        or " or ".join(dict.fromkeys(known[x] for x in near))
-        or _meant_shorter(word, known)
+        return f"; use {_with_import(own, use)}"
+    parts = {type(x): f"{_variable(own)}.{k}." for k, x in getattr(owner, "__dict__", {}).items()}
+    levels = _elsewhere(own, parts) if name[0].islower() else ()
+    near = get_close_matches(name, uses, 2, _ALIKE) or get_close_matches(word, known, 1, _SAME)
+    use = next(filter(None, (_meant(word, level) for level in levels)), "") or " or ".join(
+        known[x.lower()] for x in near if x[0] == name[0]
     )
-    return "; ".join(["", *[f"use {_with_import(owner, use)}"] * bool(use), *_listed(owner, uses)])
+    return "; ".join(["", *[f"use {_with_import(own, use)}"] * bool(use), *_listed(own, uses)])
 
 
-def _with_import(owner: object, use: str) -> str:
+def _with_import(own: Any, use: str) -> str:
     """Return what to write, with the import that it needs."""
-    package = _package_of(owner)
     first = [] if "import" in use else dict.fromkeys(_FIRST.findall(use))
-    names = [name for name in first if name in dir(sys.modules[package])]
-    imports = [f"from {package} import {', '.join(names)}"] * bool(names)
+    names = [name for name in first if name in dir(sys.modules[_package(own)])]
+    imports = [f"from {_package(own)} import {', '.join(names)}"] * bool(names)
     imports += [f"import {name}" for name in first if name in _PACKAGES]
     return f"{use} ({'; '.join(imports)})" if imports else use
 
@@ -129,43 +127,36 @@ def _meant(name: str, uses: Mapping[str, str]) -> str | None:
     return next((uses[word] for word in words if word in uses), None)
 
 
-def _class_of(owner: object) -> type:
-    return owner if isinstance(owner, type) else type(owner)
-
-
-def _variable(owner: object) -> str:
-    """Return what a value is called in messages: ``A`` where its class is called as its package."""
-    name = _class_of(owner).__name__
-    return name[0] if name.lower() == _package_of(owner) else name.lower()
-
-
-def _package_of(owner: object) -> str:
-    place = owner.__name__ if isinstance(owner, ModuleType) else _class_of(owner).__module__
+def _package(own: Any) -> str:
+    place: str = own.__name__ if isinstance(own, ModuleType) else own.__module__
     return place.partition(".")[0]
 
 
-def _attributes(owner: object) -> dict[str, Any]:
-    """Return the public names of a value, a class or a module, each with what stands there.
+def _variable(own: Any) -> str:
+    """Return what a value of a class is called: ``A`` where the package has the name of it."""
+    name: str = own.__name__
+    return name[0] if name.lower() == _package(own) else name.lower()
+
+
+def _attributes(own: Any) -> dict[str, Any]:
+    """Return the public names of a class or a module, each with what stands there.
 
     Of a class these are functions and properties, and for its fields their annotations.
     """
-    if isinstance(owner, ModuleType):
-        values = {name: _loaded(owner, name) for name in dir(owner) if name[0] != "_"}
-        package = _package_of(owner)
-        own = [x for x, y in values.items() if getattr(y, "__module__", "").startswith(package)]
-        return {name: values[name] for name in getattr(owner, "__all__", own)}
+    if isinstance(own, ModuleType):
+        values = {name: _loaded(own, name) for name in dir(own) if name[0] != "_"}
+        listed = [
+            x for x, y in values.items() if getattr(y, "__module__", "").startswith(_package(own))
+        ]
+        return {name: values[name] for name in getattr(own, "__all__", listed)}
     found: dict[str, Any] = {}
-    for base in _class_of(owner).__mro__:
-        if _package_of(base) in (_package_of(owner), _package_of(Hints)):
+    for base in own.__mro__:
+        if _package(base) in (_package(own), _package(Hints)):
             fields = vars(base).get("__annotations__", {})
             kinds = {x: y for x, y in fields.items() if "ClassVar" not in str(y)}
-            found = {**kinds, **{x: y for x, y in vars(base).items() if _is_use(y)}, **found}
+            used = {x: y for x, y in vars(base).items() if hasattr(y, "__get__")}
+            found = {**kinds, **used, **found}
     return {name: value for name, value in found.items() if name[0] != "_" or name == _ITEM}
-
-
-def _is_use(value: object) -> bool:
-    """Return whether something in a class is a function or a property."""
-    return hasattr(value, "__get__") and not isinstance(value, type)
 
 
 def _loaded(module: ModuleType, name: str) -> object:
@@ -176,16 +167,9 @@ def _loaded(module: ModuleType, name: str) -> object:
         return None
 
 
-def _meant_shorter(name: str, uses: Mapping[str, str]) -> str:
-    """Return what to write for a name with a word too many, as ``big_face_lattice``."""
-    first, *rest = name.split("_")
-    words = ["_".join(rest), "_".join([first, *rest[:-1]])] * (first not in ("has", "is"))
-    return next((uses[word] for word in words if len(word) >= _LEAST and word in uses), "")
-
-
-def _uses(owner: object) -> dict[str, str]:
-    """Return the public names of a value, a class or a module, each as it is written."""
-    return {name: _use(name, value) for name, value in _attributes(owner).items()}
+def _uses(own: Any) -> dict[str, str]:
+    """Return the public names of a class or a module, each as it is written."""
+    return {name: _use(name, value) for name, value in _attributes(own).items()}
 
 
 def _use(name: str, value: object) -> str:
@@ -211,44 +195,40 @@ def _parameters(function: Callable[..., Any]) -> dict[str, Any]:
 def _needed(function: Callable[..., Any]) -> list[str]:
     """Return the arguments that a call needs, as they are written."""
     marks = {"VAR_POSITIONAL": "*{0}", "KEYWORD_ONLY": "{0}={0}", "VAR_KEYWORD": ""}
-    return [
-        text
-        for name, x in _parameters(function).items()
-        if x.default is x.empty and (text := marks.get(x.kind.name, "{0}").format(name))
-    ]
+    needed = [(name, x) for name, x in _parameters(function).items() if x.default is x.empty]
+    return [*filter(None, (marks.get(x.kind.name, "{0}").format(name) for name, x in needed))]
 
 
-def _listed(owner: object, uses: Mapping[str, str]) -> list[str]:
-    """Return the names of a value, a class or a module: all, or the main ones by groups."""
-    own: Any = owner if isinstance(owner, ModuleType) else _class_of(owner)
+def _listed(own: Any, uses: Mapping[str, str]) -> list[str]:
+    """Return the names of a class or a module: all, or the main ones by groups."""
     name, groups = own.__name__.rpartition(".")[2], dict(getattr(own, "_main", {}))
-    if isinstance(owner, ModuleType):
-        for heading, lines in _HEADING.findall(owner.__doc__ or ""):
-            groups[heading] = " ".join(_ENTRY.findall(lines)).replace(",", "")
+    doc = own.__doc__ or "" if isinstance(own, ModuleType) else ""
+    for heading, lines in _HEADING.findall(doc):
+        groups[heading] = " ".join(_ENTRY.findall(lines)).replace(",", "")
     if not groups:
         return [f"{name} has {', '.join(uses.values())}"] * bool(uses)
-    lines = [f"{name} has, among others (help({name}) shows all):"]
-    for heading, words in groups.items():
-        lines.append(f"    {heading}: {', '.join(uses.get(x, x) for x in words.split())}")
-    return ["\n".join(lines)]
+    lines = [
+        f"\n    {heading}: {', '.join(uses.get(x, x) for x in words.split())}"
+        for heading, words in groups.items()
+    ]
+    return [f"{name} has, among others (help({name}) shows all):{''.join(lines)}"]
 
 
-def _elsewhere(owner: object) -> Iterator[Mapping[str, str]]:
+def _elsewhere(own: Any, parts: Mapping[type, str]) -> Iterator[Mapping[str, str]]:
     """Yield what has other names, each with what to write: first what is near.
 
-    These are the items and the results of a value; then of its package the functions and classes,
-    its modules, and what functions return. Of a value only functions that take it count.
+    These are the items, parts and results of a value; then of its package the functions and
+    classes, its modules, and what functions return. Of a value only functions that take it count.
     """
-    kind = "" if isinstance(owner, ModuleType) else _variable(owner)
+    kind = "" if isinstance(own, ModuleType) else _variable(own)
     if kind:
-        item = _result(owner, _attributes(owner).get(_ITEM))
+        item = _result(own, _attributes(own).get(_ITEM))
         words = {} if item is None else {**item._synonyms, **_uses(item)}
         pairs = {x: f"[x.{use} for x in {kind}]" for x, use in words.items() if use.isidentifier()}
         yield pairs | {f"{word}s": use for word, use in pairs.items()}
-        parts = {type(x): f"{kind}.{name}." for name, x in getattr(owner, "__dict__", {}).items()}
         yield _names({cls: before for cls, before in parts.items() if isinstance(cls, Hints)})
-        yield _names(_results({_class_of(owner): f"{kind}."}))
-    package = sys.modules[_package_of(owner)]
+        yield _names(_results({own: f"{kind}."}))
+    package = sys.modules[_package(own)]
     uses, values, prefix = _uses(package), _attributes(package), f"{package.__name__}."
     yield {name.lower(): prefix + use for name, use in uses.items()}
     for name, module in values.items():
@@ -273,27 +253,22 @@ def _results(made: Mapping[type, str]) -> dict[type, str]:
     found: dict[type, str] = {}
     for cls, before in made.items():
         for name, value in _attributes(cls).items():
-            if name != _ITEM and (result := _result(cls, value)):
+            if name != _ITEM and (result := _result(cls, value)) and result not in made:
                 found.setdefault(result, f"{before}{_use(name, value)}.")
-    return {cls: before for cls, before in found.items() if cls not in made}
+    return found
 
 
-def _result(owner: object, value: object) -> Any:
+def _result(own: Any, value: Any) -> Any:
     """Return the class of what an attribute is or returns, by its annotation; None if foreign."""
     from inspect import unwrap
 
-    names: Mapping[str, Any] = vars(sys.modules[_class_of(owner).__module__])
-    hint: Any = value
-    if not isinstance(value, (str, type)):
-        value = getattr(value, "func", getattr(value, "fget", getattr(value, "__func__", value)))
-        if not isinstance(value, FunctionType):
-            return None
-        function = unwrap(value)
-        names, hint = function.__globals__, function.__annotations__.get("return", "")
-    if isinstance(hint, str):
-        for part in hint.partition(" | ")[0].split("."):
-            hint = names.get(part)
-            names = getattr(hint, "__dict__", {})
+    names, hint = vars(sys.modules[getattr(own, "__module__", own.__name__)]), value
+    function = getattr(value, "func", getattr(value, "fget", getattr(value, "__func__", value)))
+    if isinstance(function, FunctionType):
+        names, hint = unwrap(function).__globals__, function.__annotations__.get("return", "")
+    for part in hint.partition(" | ")[0].split(".") if isinstance(hint, str) else ():
+        hint = names.get(part)
+        names = getattr(hint, "__dict__", {})
     return hint if isinstance(hint, Hints) else None
 
 

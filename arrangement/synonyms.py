@@ -97,13 +97,8 @@ ARRANGEMENT: Mapping[str, Mapping[str, str]] = {
         tope_graph -> A.region_graph()
     """),
     "elsewhere": by_word("""
-        add -> A.addition(normal, offset)
-        change_ring -> A.field
-        essentialize -> A.essentialization()
         from_lines -> arrangement.Arrangement.from_equations(['x = 0', 'x + y = 1'])
-        to_latex -> A.equations()
         adjacency_graph dual_graph to_networkx -> A.region_graph()
-        bounded bounded_faces -> A.bounded_regions()
         cells face_lattice face_poset -> A.faces()
         chi -> A.characteristic_polynomial()
         count count_regions number_of_regions zaslavsky -> A.region_count()
@@ -117,21 +112,15 @@ ARRANGEMENT: Mapping[str, Mapping[str, str]] = {
         n -> len(A) or A.dimension
         m size n_planes -> len(A)
         from_arrays from_numpy -> arrangement.Arrangement([normal], [offset])
-        inside -> A.regions(inside=r)
         intersections lattice -> A.intersection_lattice()
         is_generic is_in_general_position -> A.is_simple
         is_isomorphic -> A.identify().type == B.identify().type
-        isomorphism_class -> A.identify()
         lines planes -> list(A)
-        moebius -> arrangement.counts.moebius(A)
+        mobius moebius moebius_function -> arrangement.counts.moebius(A)
         n_edges -> A.f_vector[1]
         n_faces -> sum(A.f_vector)
         n_vertices -> A.f_vector[0]
-        plot3d -> A.draw()
-        poset -> A.poset_of_regions(r)
         random -> arrangement.families.random_integer(5, 2)
-        remove -> A.deletion(i)
-        symmetries -> A.identify().automorphisms
         to_dataframe to_pandas -> pandas.DataFrame(A.sign_vectors())
         to_json -> json.dumps(A.to_dict())
         to_numpy -> A.sign_vectors()
@@ -162,14 +151,13 @@ PACKAGE: Mapping[str, str] = by_word("""
     boolean -> arrangement.families.coordinate
     examples hyperplane_arrangements -> families
     Matroid OrientedMatroid -> arrangement.counts.bases(A)
+    random random_arrangement -> arrangement.families.random_integer(5, 2)
     load open read read_csv -> arrangement.read_arrangement(path)
     plot -> A.draw()
 """)
 
 #: Of several faces or regions F.
 SEQUENCES: Mapping[str, str] = by_word("""
-    filter -> F.where(F.signs[:, 0] > 0)
-    shape -> F.signs.shape
     to_dataframe to_pandas -> pandas.DataFrame(F.signs)
     to_json -> json.dumps(F.signs.tolist())
     to_list tolist -> list(F)
@@ -179,9 +167,9 @@ SEQUENCES: Mapping[str, str] = by_word("""
 #: Of a face or region r, of an arrangement A.
 FACES: Mapping[str, str] = by_word("""
     adjacent neighbors neighbours -> A.region_graph()[r]
-    as_polyhedron polyhedron -> r.closure
     area -> r.volume
     center centre centroid interior_point representative_point sample_point -> r.witness
+    covector sign_vector -> r.signs
     draw plot -> A.draw()
     edges -> r.faces
     n_vertices -> len(r.vertices)

@@ -58,16 +58,10 @@ _SYNONYMS = by_word("""
     plot show -> read_grasp(path).draw()
     check -> verify(source)
     is_stable -> solve(grasp, wrench).stable
-    solve_literal -> solve(grasp, wrench, as_printed=[...])
     resisted -> ResistedSet(grasp).along(wrench)
-    resisted_magnitudes -> ResistedSet(grasp).along(direction)
-    resisted_region -> ResistedSet(grasp).slice(u, v)
     Solver WrenchSet resisted_set -> ResistedSet(grasp)
-    least_friction -> ResistedSet(grasp).margin(wrench).friction()
-    sufficient_preloads -> ResistedSet(grasp).margin(wrench).preloads
     is_force_closure -> GraspWrenchSpace(grasp).force_closure
     grasp_wrench_space wrench_space -> GraspWrenchSpace(grasp)
-    contact_modes -> ContactModes.of_grasp(grasp)
 """)
 
 attach(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Mapping
+from functools import partial
 from importlib import import_module
 from importlib.util import find_spec
 from opcode import opname
@@ -98,7 +99,7 @@ def lazy_names(
         if name in known:
             value = get_known(name)
             if isinstance(value, ModuleType):
-                vars(value).setdefault("__getattr__", _absent_names(value))
+                vars(value).setdefault("__getattr__", partial(_refuse, value))
             return value
         caller = sys._getframe(1)
         if name == "__all__" and caller.f_globals.get("__name__") != "pydoc":
@@ -109,11 +110,8 @@ def lazy_names(
     return get, names
 
 
-def _absent_names(module: ModuleType) -> Callable[[str], Any]:
-    def refuse(name: str) -> Any:
-        raise to_importer(missing_attribute(module, name, {}), sys._getframe(1))
-
-    return refuse
+def _refuse(module: ModuleType, name: str) -> Any:
+    raise to_importer(missing_attribute(module, name, {}), sys._getframe(1))
 
 
 class InlinePage:

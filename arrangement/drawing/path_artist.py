@@ -360,15 +360,10 @@ class Drawing(HintsMixin, Figure):
     """
 
     _synonyms: ClassVar[Mapping[str, str]] = {
-        **{
-            word: use.removeprefix("draw().")
-            for word, use in synonyms.PICTURES.items()
-            if "write" in use
-        },
-        **dict.fromkeys(
-            ("download", "export", "save", "save_as", "to_file", "write_file"), "write(path)"
-        ),
+        **{x: use.removeprefix("draw().") for x, use in synonyms.PICTURES.items() if "wr" in use},
+        **synonyms.by_word("download export save save_as to_file write_file -> write(path)"),
     }
+    _main: ClassVar[Mapping[str, str]] = {"picture": "write restyle region circle to_page axes"}
 
     def __init__(self, scene: Scene) -> None:
         super().__init__()

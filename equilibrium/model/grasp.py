@@ -166,8 +166,7 @@ class Grasp(ContactValuesMixin, DrawableGrasp):
         **by_word("""
             from_arrays from_floats -> inputs.from_float_data(points, normals, friction).grasp
             from_numpy from_points -> inputs.from_float_data(points, normals, friction).grasp
-            from_dataframe from_df -> inputs.from_float_data(points, normals, friction).grasp
-            from_contacts from_pandas -> inputs.from_float_data(points, normals, friction).grasp
+            from_dataframe from_pandas -> inputs.from_float_data(points, normals, friction).grasp
             from_mesh from_stl -> inputs.on_mesh(path, friction, at=points).grasp
             from_polygon -> inputs.from_polygon(vertices, places, friction).grasp
             max_force max_load max_wrench maximum_load -> ResistedSet(grasp).along(wrench).intervals
@@ -175,6 +174,7 @@ class Grasp(ContactValuesMixin, DrawableGrasp):
             min_preload minimum_preload -> ResistedSet(grasp).margin(wrench).preloads
             plot_region plot_resisted plot_resisted_region plot_resisted_set -> draw('resist')
             from_csv from_file from_json load read -> read_grasp(path)
+            export to_csv -> save(path)
             add add_contact append -> Grasp([*grasp.contacts, contact])
             grasp_quality metric quality -> GraspWrenchSpace(grasp).epsilon
             is_force_closure -> GraspWrenchSpace(grasp).force_closure

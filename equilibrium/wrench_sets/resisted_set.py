@@ -82,14 +82,11 @@ class ResistedSet(JsonMixin):
     _synonyms: ClassVar[Mapping[str, str]] = {
         **{word: name.removeprefix("ResistedSet(G).") for word, name in NAMES.items()},
         **by_word("""
-            limit largest magnitudes max max_load maximum -> along(direction)
+            limit largest max max_load maximum -> along(direction)
             epsilon -> smallest_outside().size, or GraspWrenchSpace(grasp).epsilon
-            friction least_friction -> margin(wrench).friction()
-            sufficient_preloads -> margin(wrench).preloads, or preloads(wrenches, contacts)
-            pieces -> polyhedra
+            friction -> margin(wrench).friction()
             plot show -> draw()
-            region resisted_region -> slice(u, v)
-            resists -> contains(wrench)
+            region -> slice(u, v)
         """),
     }
     _main: ClassVar[Mapping[str, str]] = {

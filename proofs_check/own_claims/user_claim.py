@@ -56,16 +56,7 @@ from .shrink import smallest_case
 DEFAULT_DOMAIN = "distinct"
 
 
-@hints_on_arguments(
-    {
-        **dict.fromkeys(("domain", "family", "on", "over"), "of"),
-        **dict.fromkeys(("condition", "given", "where"), "when"),
-        **dict.fromkeys(("name", "title"), "id"),
-        **dict.fromkeys(("trials", "tries"), "samples"),
-        **dict.fromkeys(("lines", "m"), "planes"),
-        "text": "statement",
-    }
-)
+@hints_on_arguments({})
 def claim(
     statement: str = "",
     *,

@@ -15,7 +15,7 @@ from difflib import get_close_matches
 from enum import Enum
 from itertools import chain
 from random import Random
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.numbers.exact import shown
@@ -322,11 +322,6 @@ class Registry(ReprMixin):
         later: what makes the claim of an id when it is asked for, so that a topic loads alone.
     """
 
-    _synonyms: ClassVar[Mapping[str, str]] = {
-        "get": "[id]",
-        "keys": "ids",
-        **dict.fromkeys(("claims", "items", "values"), "list(registry())"),
-    }
     repr_fields = ("ids",)
 
     def __init__(

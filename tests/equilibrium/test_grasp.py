@@ -128,7 +128,7 @@ class TestValues:
         assert lines[-1] == "}\n"
 
     def test_notebook_shows_grasps_in_the_plane_and_in_space(self, monkeypatch):
-        monkeypatch.setattr(model, "attached", lambda _: len)
+        monkeypatch.setattr(model, "method_code", lambda _: len)
         assert [Grasp([contact])._repr_svg_() for contact in (FLAT, DEEP)] == [1, 1]
 
 

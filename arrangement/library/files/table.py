@@ -232,7 +232,8 @@ def format_of_file(path: str) -> Format:
     if ending not in _BY_ENDING:
         raise InputError(
             f"the file name ends in {shown(ending)}; expected one of {', '.join(_BY_ENDING)}. "
-            "`arrangement convert --to NAME` takes any ending; `arrangement draw` makes pictures"
+            "`arrangement convert --to NAME` takes any ending; `arrangement draw` and, in Python, "
+            "draw().write(path) make pictures"
         )
     return _BY_ENDING[ending]
 
