@@ -88,7 +88,7 @@ def _parser() -> Parser:
     )
 
     library = _later("library.commands")
-    text = "list built-in arrangements, families, classes, or a file's arrangements"
+    text = "list built-in arrangements (examples), families, classes, or a file's arrangements"
     wrong = "the verified program counts otherwise"
     library.add_list_options(add("list", library.list_known, text, "done", wrong, file="?"))
     text = "make a member of a family, such as shi --type E6"

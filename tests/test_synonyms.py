@@ -574,7 +574,11 @@ proofs-check counterexample euler | proofs-check run euler --save FOLDER
 proofs-check 'regions == m**2' | proofs-check try 'regions == m**2'
 proofs-check reproduce | proofs-check paper -o FOLDER
 proofs-check exercises | proofs-check grade FILE.py
-proofs-check run --format html | -o html
+proofs-check run --format html | -o FILE
+arrangement random --lines 5 | arrangement make random-integer --m 3
+equilibrium examples | equilibrium list
+proofs-check list --refuted | proofs-check run
+equilibrium resisted ladder --wrench 0 0 -1 0 0 0 --on-body 1 | --on BODY F_X F_Y TAU
 proofs-check run --list | proofs-check list
 proofs-check solve ladder | equilibrium solve ladder --weight 1
 proofs-check extreme regions | proofs-check extreme regions --of DOMAIN --classes LOW..HIGH

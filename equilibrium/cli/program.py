@@ -28,7 +28,7 @@ def _parser() -> Parser:
     draw.add_commands(commands)
     info.add_command_info(commands)
     verify.add_command_verify(commands)
-    add_command(commands, "list", _list, "list the built-in grasps", grasp=False)
+    add_command(commands, "list", _list, "list the built-in grasps (examples)", grasp=False)
     inputs.add_commands(commands)
     draw.add_lab(commands)
     return parser

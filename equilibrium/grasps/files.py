@@ -8,6 +8,7 @@ import os
 import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arrangement.errors import InputError, OutOfReachError
@@ -88,7 +89,12 @@ def read_contacts(
     expected = ("contacts", *kinds)
     if isinstance(source, Mapping):
         return read_document(source, expected)
-    text, name = read_text(source)
+    try:
+        text, name = read_text(source)
+    except InputError as error:
+        if not isinstance(source, (str, os.PathLike)) or not Path(source).is_file():
+            raise
+        raise GraspError(f"{error}. {_READ}") from None
     if text.lstrip()[:1] not in {*'{["'}:
         if source == "-":
             raise GraspError(

@@ -63,7 +63,14 @@ def _parser() -> Parser:
 
     strict = "no verdict, or with --strict no counterexample found"
     expected = ("every verdict is the expected one", "some verdict differs", strict)
-    _add_run(command("run", "run.run_claims", "check claims and print the verdicts", *expected))
+    _add_run(
+        command(
+            "run",
+            "run.run_claims",
+            "check claims and print the verdicts (proved, refuted, ...)",
+            *expected,
+        )
+    )
     _add_try(
         command(
             "try",
@@ -263,7 +270,7 @@ def _add_save(parser: argparse._ActionsContainer) -> None:
     parser.add_argument(
         "--save",
         metavar="FOLDER",
-        help="write counterexamples, the instances that refute a claim, here",
+        help="write a counterexample to each claim that is refuted into this folder",
     )
 
 

@@ -36,6 +36,8 @@ ALIKE = 0.75
 #: How near something is whose name has the word, or all of its parts.
 _NAMED = 2.4
 _NUMBER = re.compile(r"[-+]?\.?[0-9]")
+#: Of helps of options: what they have in common.
+_VERBS = {"print", "read", "show", "write"}
 #: What is a file, an equation or a statement, and no name.
 _NO_NAME = re.compile(r"[./=<>\s]")
 
@@ -74,12 +76,11 @@ def _in_name(word: str, known: str) -> float:
     )
 
 
-def _in_text(word: str, known: str) -> bool:
-    """Return whether two words are the same, but for an ending."""
+def _in_text(word: str, known: str) -> float:
+    """Return 1 for the same word, less for one that has another ending, else 0."""
     short, long = sorted((word, known), key=len)
-    return word == known or (
-        len(short) > 3 and long.startswith(short) and len(long) < len(short) + 4
-    )
+    is_ending = len(short) > 3 and long.startswith(short) and len(long) < len(short) + 4
+    return 1.0 if word == known else 0.8 * is_ending
 
 
 def nearness(word: str, name: str, text: str | None) -> float:
@@ -104,9 +105,12 @@ def nearness(word: str, name: str, text: str | None) -> float:
 
 def _takes(action: argparse.Action, word: str) -> bool:
     """Return whether a word may be a value of an option."""
+    is_file = re.search(r"FILE|PATH|\.", str(action.metavar))
     try:
         action.type is None or action.type(word)  # type: ignore[operator]
     except (argparse.ArgumentTypeError, TypeError, ValueError):
+        return False
+    if is_file and "." not in word:
         return False
     return action.choices is None or word in action.choices
 
@@ -126,7 +130,9 @@ def is_option(word: str) -> bool:
 def usage(command: Parser, action: argparse.Action, values: Sequence[str] = ()) -> str:
     """Return an option with values, or with what stands for them."""
     least, most = _count(action)
-    shown_values = command._get_formatter()._format_args(action, action.dest.upper())
+    shown_values = " ".join(action.metavar or ())
+    if not isinstance(action.metavar, tuple):  # options that grow take more than it names
+        shown_values = command._get_formatter()._format_args(action, action.dest.upper())
     if least <= len(values) <= most and all(_takes(action, value) for value in values):
         shown_values = join(values)
     return f"{action.option_strings[0]} {shown_values}".strip()
@@ -247,7 +253,7 @@ def _best(command: Parser, word: str, words: Sequence[str], text: str) -> Entry:
     best, flag = nearness(word, command.prog.rpartition(" ")[2], text), ""
     by_text = 0.0 if best else 0.75
     for action, score in _scores(command, word):
-        is_near = score >= _NAMED or 0 < by_text <= score <= 1
+        is_near = score >= _NAMED or (0 < by_text <= score <= 1 and word not in _VERBS)
         if score > best and is_near and action.dest not in _EVERYWHERE:
             best, flag, text = score, usage(command, action), _help(action)
     for dest, known in command.names.items():
@@ -278,7 +284,14 @@ def _help(action: argparse.Action) -> str:
 
 def commands_of(program: Parser, word: str = "", words: Sequence[str] = ()) -> list[Entry]:
     """Return the commands of a program, or the families of one, the nearest to a word first."""
-    entries = [_best(command, word, words, text) for command, text in kinds(program).values()]
+    entries = []
+    for command, text in kinds(program).values():
+        best = _best(command, word, words, text)
+        for kind, about in kinds(command).values():
+            near = nearness(word, kind.prog.rpartition(" ")[2], "")
+            if near > max(1.3, best.score):
+                best = Entry(line(kind, words, foreign=True), kind.prog, about, near)
+        entries.append(best)
     return sorted(entries, key=lambda entry: -entry.score)
 
 
@@ -360,16 +373,18 @@ def unknown_option(command: Parser, word: str) -> tuple[str, list[Entry]]:
     if near := nearness(name, "", about):
         entries.append(Entry(line(command, words), "", about, near))
     entries.sort(key=lambda entry: -entry.score)
-    if entries[0].score < 1:
-        entries = _elsewhere(command, name, [*words, *values]) + entries
+    if entries[0].score < 0.6:
+        least = 2.7 if entries[0].score else 0.6
+        entries = _elsewhere(command, name, [*words, *values], least) + entries
     start = f"{command.prog} has no option {shown(name)}"
     return f"{start}; expected one of these, the nearest first:", entries
 
 
-def _elsewhere(command: Parser, name: str, words: Sequence[str]) -> list[Entry]:
-    """Return a command of the program that has an option of this name, if there is one."""
-    entries = (_best(other, name, words, "") for other in command.commands.values())
-    near = [entry for entry in entries if entry.score >= 2.7]
+def _elsewhere(command: Parser, name: str, words: Sequence[str], least: float) -> list[Entry]:
+    """Return a command of the program that is near, or has an option that is, if there is one."""
+    others = (other for other in command.commands.values() if other is not command)
+    entries = (_best(other, name, words, other.description or "") for other in others)
+    near = [entry for entry in entries if entry.score >= least]
     return sorted(near, key=lambda entry: -entry.score)[:1]
 
 
