@@ -99,6 +99,14 @@ _REMEDIES = {
     r"[\w)]\s*!(?!=)": ("a factorial", "factorial(m)"),
     r"\d\s*(?!implies|and|or|in|not)[A-Za-z(]|\)\s*\(": ("a product without its sign", "2*m"),
 }
+#: Comparisons in words.
+_COMPARISONS = {
+    r"(?:at least|no (?:fewer|less) than)": ">=",
+    r"(?:at most|no more than)": "<=",
+    r"(?:more|greater|larger) than|exceeds?": ">",
+    r"(?:less|fewer|smaller) than": "<",
+    r"equals?(?: to)?|exactly|is|are": "==",
+}
 _BEFORE_OPERANDS = {"and", "or", "not", "in", "implies", "if", "else"}
 
 
@@ -139,6 +147,8 @@ def _read(text: str, names: Collection[str]) -> tuple[ast.expr, _PartTypes]:
         tree = ast.parse("".join(piece.python for piece in pieces), mode="eval").body
         depth = _depth(tree)
     except (SyntaxError, ValueError, MemoryError, RecursionError):
+        if use := _in_symbols(text):
+            raise OwnClaimError(f"{shown(text)} has words for symbols; write {use!r}") from None
         uses = (
             f"has {what[0]}, {match[0]!r}, which is not read; write such as {what[1]}"
             for pattern, what in _REMEDIES.items()
@@ -152,8 +162,41 @@ def _read(text: str, names: Collection[str]) -> tuple[ast.expr, _PartTypes]:
             "Write it with fewer"
         )
     types = _PartTypes(text.strip(), pieces, names)
+    words = [node.id for node in ast.walk(tree) if isinstance(node, ast.Name)]
+    unknown = [word for word in dict.fromkeys(words) if word in _SYNONYMS and word not in names]
+    if unknown[1:]:
+        answers = (str(types._unknown_name(word, "a quantity")) for word in unknown)
+        raise OwnClaimError("; ".join(answers))
     types.of(tree)
     return tree, types
+
+
+def _in_symbols(text: str) -> str:
+    """Return a claim in words as a comparison of a quantity with a bound, if it can be seen.
+
+    >>> _in_symbols("every simple arrangement has at least m triangles")
+    'simple implies p_vector.get(3, 0) >= m'
+    """
+    known = {**{word: word for word in QUANTITIES}, **_SYNONYMS}
+    pattern = next((x for x in _COMPARISONS if re.search(rf"\b(?:{x})\b", text)), "")
+    if not pattern:
+        return ""
+    before, after = re.split(rf"\b(?:(?:is|are) )?(?:{pattern})\b", text.rstrip(". "), maxsplit=1)
+    left = [known[word] for word in re.findall(r"\w+", before) if word in known]
+    *bound, noun = after.split() or [""]
+    quantities = [word for word in left if word not in TRUTH_VALUES]
+    hypotheses = [word for word in left if word in TRUTH_VALUES]
+    if bound and noun in known and not quantities:
+        quantities, after = [known[noun]], " ".join(bound)
+    if not quantities:
+        return ""
+    use = f"{quantities[-1]} {_COMPARISONS[pattern]} {after.strip()}"
+    use = " implies ".join([*hypotheses, use])
+    try:
+        ast.parse("".join(piece.python for piece in _as_python(use)), mode="eval")
+    except (SyntaxError, ValueError, MemoryError, RecursionError):
+        return ""
+    return use
 
 
 def _depth(tree: ast.expr) -> int:
