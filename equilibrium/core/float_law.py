@@ -8,7 +8,7 @@ a share u of its limit is the wrench ``N + mu u T``, so balance is
 
 On a virtual motion v this wrench does the work ``N . v + mu u . T v``, at least
 ``kappa = N . v - mu |T v|``. Cones that are not round have another support in place of the length.
-Adhesion is a part of the load w.
+Adhesion is a part of the load w. Integers take the edges of cones along one tangent from here, too.
 """
 
 from __future__ import annotations

@@ -236,6 +236,8 @@ class Programs:
             keeps_normal=True,
         )
         m, f, n = self._frames.shape
+        #: Which coordinates of a motion each contact acts on.
+        self._acts = (self._frames != 0).any(axis=1) | (n <= _MAX_GRASP)
         #: Springs, slips and displacements as symbols, and their values, those of a constant last.
         self._symbols = [
             [("spring", i), *(("slip", i, j) for j in range(f - 1))]
@@ -256,48 +258,58 @@ class Programs:
             self.shapes.append(shape)
         return self._numbers[shape]
 
-    def _new_block(
-        self, i: int, state: State, hardness: float, pressure: float, most: float
-    ) -> _Block:
-        friction, frame = self._question.rows[i].friction, self._frames[i]
+    def _conditions(self, i: int, state: State) -> tuple[Floats, Floats, int, int]:
+        """Return the law of a contact in a state as numbers.
+
+        Returns:
+            Forces by those that are unknown; conditions, by these and by symbols, -1 last; of the
+            conditions how many are equations, these come first, and how many are a round cone.
+        """
+        friction, f = self._question.rows[i].friction, self._frames.shape[1]
         law = self._question.law(i, self._cones.in_conditions(friction, state))
-        (f, n), count, none = frame.shape, len(law.unknowns), len(law.equal)
+        count = len(law.unknowns)
         in_round = isinstance(self._cones, RoundCones) and count == f
         # A cone allows no pull: beside it that is not a condition of its own.
         least = [x.terms for x in law.least if count < f or x.terms != {law.unknowns[0]: 1}]
         rows = [*law.forces, *(x.terms for x in law.equal), *least]
-        # By unknown forces, what has multipliers in a leaf, and a constant.
         at = {key: k for k, key in enumerate((*law.unknowns, *self._symbols[i], -1))}
         table = np.zeros((len(rows) + f * in_round, len(at)))
         for row, terms in enumerate(rows):
             for key, x in terms.items():
                 table[row, at[key]] = nearest(x)
         forces, table = table[:f, :count], table[f:]
-        # Directions of slip have integers of any size.
-        moved = np.flatnonzero(~table[: none + len(least), :count].any(axis=1))
-        table[moved] /= np.abs(table[moved]).max(axis=1, keepdims=True)
-        cones = [("zero", none), ("plus", len(least))]
         if in_round:
-            cones.append(("round", f))
             table[-f:, :f] = forces * [[nearest(friction)], *[[1.0]] * (f - 1)]
+        return forces, table, len(law.equal), f * in_round
+
+    def _new_block(
+        self, i: int, state: State, hardness: float, pressure: float, most: float
+    ) -> _Block:
+        forces, table, equations, in_round = self._conditions(i, state)
+        frame, acts, plain = self._frames[i], self._acts[i], len(table) - in_round
+        (f, n), count = frame.shape, forces.shape[1]
+        ends = np.array(self._cones.ends(state), dtype=float).reshape(-1, f - 1)
+        if len(ends):
+            # Directions of slip have integers of any size.
+            ends /= lengths(ends)[:, None]
+            moved = ~table[:, :count].any(axis=1)
+            table[moved] /= np.abs(table[moved]).max(axis=1, keepdims=True)
         values = self._values[i].copy()
         values[0] *= [*[hardness] * n, pressure]
         values[-1, -1] = most
         given = table[:, count:] @ values
-        # Inside a leaf its multipliers have room where forces alone obey a condition.
+        # Inside a leaf there is room in a round cone, else where forces alone obey a condition.
         room = np.zeros(len(table))
-        if in_round:
-            room[-f] = 1.0
-        else:
-            room[none:] = ~table[none:, count:].any(axis=1)
-        ends = np.array(self._cones.ends(state), dtype=float).reshape(-1, f - 1)
+        room[plain : plain + 1] = 1.0
+        if not in_round:
+            room[equations:] = ~table[equations:, count:].any(axis=1)
         felt = np.flatnonzero(given[:, :n].any(axis=1))
         columns = -np.concatenate([forces.T @ frame, table[:, :count].T], axis=1)
         # Zeros of balance are kept, with which the shapes of all contacts are alike; but a contact
         # of many bodies acts on two of them.
-        acts = (frame != 0).any(axis=0) | (n <= _MAX_GRASP)
         kept = np.append(acts, np.zeros(columns.shape[1] - n, dtype=bool))
         column, place = np.nonzero((columns != 0) | kept)
+        cones = ("zero", equations), ("plus", plain - equations), ("round", in_round)
         shape = _ConeShape(
             len(table),
             tuple(felt.tolist()),
@@ -316,7 +328,7 @@ class Programs:
             given[:, n],
             -table[:, count:-1].T,
             room,
-            ends / lengths(ends)[:, None],
+            ends,
         )
 
     def _new_layout(self, shapes: tuple[int, ...], _: float) -> _ConeLayout:
