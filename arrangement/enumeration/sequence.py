@@ -21,7 +21,7 @@ from arrangement.console.number_form import ReprMixin
 from arrangement.errors import InputError, missing_item
 from arrangement.hints import Hints
 from arrangement.numbers import budget
-from arrangement.numbers.coefficients import Coefficients, Integers, primitive
+from arrangement.numbers.coefficients import Coefficients, Integers
 from arrangement.numbers.exact import RationalVector, fraction, quotient, shown
 from arrangement.planes.faces import Face
 from arrangement.planes.planes import Planes
@@ -211,7 +211,9 @@ def primitive_rows(rows: Integers) -> Integers:
         numbers = Coefficients(flat)
         lines, _, sides = numbers.unoriented(numbers.array(flat, rows.shape[-1]))
         return numbers.numbers(lines * sides[:, None, None]).reshape(rows.shape)
-    return primitive(rows[..., None])[..., 0]
+    divisors = np.abs(np.gcd.reduce(rows, axis=-1, keepdims=True))  # of one object: with its sign
+    whole: Integers = rows // np.maximum(divisors, 1)
+    return whole
 
 
 def rational_points(points: Integers) -> Iterator[RationalVector]:
