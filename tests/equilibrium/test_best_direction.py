@@ -107,7 +107,6 @@ def test_best_direction_on_the_command_line(tmp_path, run, refused):
     assert "that holds it:\n  ≈3.45463 at 3.301 degrees from the x axis" in out
     assert "as it grows:\n  ≈35.8569 at 36.7 degrees from the x axis" in out
     assert "(0, 0)" in run(*line[:2], "--best-direction", "0", "0", "--base", "0", "-1", "0")
-    assert "--smallest goes with --smallest, not with --best-direction" in refused(
-        *line[:2], "--best-direction", "0", "0", "--smallest"
-    )
+    error = refused(*line[:2], "--best-direction", "0", "0", "--smallest")
+    assert "--smallest goes with --smallest, not with --best-direction" in error
     assert "--margin goes with a load" in refused(*line, "--margin")

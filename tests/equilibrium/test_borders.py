@@ -125,9 +125,8 @@ class TestInSpace:
 
     def test_an_exact_boundary_is_called_so(self, run):
         grasp = "two-opposed-fingers"
-        assert "resisted, then not: the boundary is 1 exactly\n" in run(
-            "resisted {} --wrench 0 1 0 0 0 0", grasp
-        )
+        printed = run("resisted {} --wrench 0 1 0 0 0 0", grasp)
+        assert "resisted, then not: the boundary is 1 exactly\n" in printed
         assert "the boundary is 0.7071" in run("resisted {} --wrench 0 1 1 0 0 0", grasp)
 
     def test_resisted_at_0_only_is_printed(self, tmp_path, run):

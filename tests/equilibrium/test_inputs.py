@@ -677,6 +677,5 @@ def test_report_of_data_and_a_load(tmp_path, run, refused):
     assert document["verdict"] == "not resisted"
     assert document["least_preload"] == "5"
     for words in (["--modes"], ["--force-closure"]):
-        assert "--output goes with the report, not with --" in refused(
-            "info", path, *words, "-o", page
-        )
+        error = refused("info", path, *words, "-o", page)
+        assert "--output goes with the report, not with --" in error

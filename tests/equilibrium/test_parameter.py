@@ -607,10 +607,8 @@ def test_tables_and_the_command(tmp_path, run, refused):
     assert run(*weight, "--friction", "1").startswith(
         "least friction of contact 1: 2/3\nresisted for 2/3 <= f"
     )
-    assert "contact 2: none is enough\nno friction f up to 1" in run(
-        *weight, "--friction", "2", code=1
-    )
-    assert "--parameter and --friction are two questions" in refused(
-        *weight, "--friction", "1", "--parameter", "t=0..1"
-    )
+    printed = run(*weight, "--friction", "2", code=1)
+    assert "contact 2: none is enough\nno friction f up to 1" in printed
+    error = refused(*weight, "--friction", "1", "--parameter", "t=0..1")
+    assert "--parameter and --friction are two questions" in error
     assert "--margin goes with a load" in refused(*line, "--margin")

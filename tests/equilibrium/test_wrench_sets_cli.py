@@ -84,15 +84,13 @@ def test_margin_leaves_smooth_contacts_smooth_unless_named(tmp_path, run, refuse
     ]:
         assert line in run(*asked, *(["--contacts", *contacts] if contacts else []))
     assert run.json(*asked)["friction"]["contacts"] == [1]
-    assert "contacts are [3]; expected numbers of contacts from 1 to 2" in refused(
-        *asked, "--contacts", "3"
-    )
+    error = refused(*asked, "--contacts", "3")
+    assert "contacts are [3]; expected numbers of contacts from 1 to 2" in error
 
 
 def test_friction_that_is_never_enough_is_called_so(run):
-    assert "least uniform friction: none is enough\n" in run(
-        "resisted paper-three-contacts --wrench 0 1 0 --margin", code=1
-    )
+    printed = run("resisted paper-three-contacts --wrench 0 1 0 --margin", code=1)
+    assert "least uniform friction: none is enough\n" in printed
 
 
 #: A contact of constant force, and a groove whose smooth contacts meet nearly below the load.
@@ -152,9 +150,8 @@ def test_verdicts_in_space_are_printed_for_all_magnitudes_tried(run, tmp_path):
     assert "undecided at" in beyond
     assert "resisted at" not in beyond.replace("not resisted at", "")
     assert last.startswith("other t, between these and beyond, are not covered")
-    assert "the hull of 2 contacts (10 points) with 4 edges each" in run(
-        "info {} --force-closure", path
-    )
+    printed = run("info {} --force-closure", path)
+    assert "the hull of 2 contacts (10 points) with 4 edges each" in printed
 
 
 def test_slice_by_names_is_the_one_by_vectors(run):

@@ -358,9 +358,8 @@ def test_a_report_is_printed_from_its_page(ending, tmp_path, refused, record):
     source = tmp_path / "r.json"
     source.write_text(json.dumps(record), encoding="utf-8")
     for command in (["run", "euler"], ["report", str(source)]):
-        assert "write .html and print it from a browser" in refused(
-            *command, "-o", tmp_path / f"r{ending}"
-        )
+        error = refused(*command, "-o", tmp_path / f"r{ending}")
+        assert "write .html and print it from a browser" in error
     assert [path.name for path in tmp_path.iterdir()] == ["r.json"]
 
 

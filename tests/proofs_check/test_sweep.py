@@ -291,9 +291,8 @@ def test_status_says_how_far_it_is(tmp_path, run):
 def test_without_the_extra_the_message_names_it(tmp_path, monkeypatch, refused, missing):
     monkeypatch.setitem(sys.modules, missing, None)
     options = ["--elements", "2..3", "--samples", "9", "--store", str(tmp_path / "s.sqlite")]
-    assert "pip install dask distributed joblib" in refused(
-        "sweep", CLAIM, *options, "--dask", "tcp://127.0.0.1:1"
-    )
+    error = refused("sweep", CLAIM, *options, "--dask", "tcp://127.0.0.1:1")
+    assert "pip install dask distributed joblib" in error
 
 
 def test_classes_of_a_claim_on_lines_are_refused_with_the_remedy(tmp_path):
