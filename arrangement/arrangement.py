@@ -50,10 +50,11 @@ class Arrangement(DrawableArrangement, Planes):
     sides are exchanged).
 
     Args:
-        normals: m vectors of length d, exact numbers: integers, fractions, texts such as "7/3".
+        normals: m vectors of length d, exact numbers: integers, fractions, texts such as "7/3"
+            (`from_equations` takes equations).
         offsets: m exact numbers; if omitted, all planes pass through the origin.
         dimension: d; needed only when there are no planes.
-        axes: names of the coordinates where these mean something; see `Planes`.
+        axes, names: of the coordinates where these mean something, and of planes; see `Planes`.
 
     Raises:
         InputError: a float, a zero normal (named by its number, from 1), or lengths that differ.

@@ -382,6 +382,9 @@ CALLS = [
     (VALUES["grasp"].with_friction, (), {}),
     (RESISTED.along, (), {"wrench": [0, 1, 0]}),
     (arrangement.pictures.draw_lines, (LINES,), {"figsize": 3}),
+    (equilibrium.check_grasps, ([[0, 0]], [[0, 1]]), {}),
+    (equilibrium.inputs.from_float_data, ([[0, 0]], [[0, 1]]), {"mu": 0.5}),
+    (proofs_check.evaluate, (VALUES["claim"],), {"samples": 3}),
 ]
 
 

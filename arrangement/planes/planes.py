@@ -177,7 +177,8 @@ class Planes(HintsMixin):
             equations = re.split("[,;]", equations)
         given = entries(equations, "equations", "equations")
         if given and all(isinstance(equation, str) for equation in given):
-            listed = () if symbols is None else entries(symbols, "symbols", "symbols")
+            kind = "symbols, after all equations in one text or list"
+            listed = () if symbols is None else entries(symbols, "symbols", kind)
             axes = None if symbols is None else list(map(str, listed))
             rows, constants, axes, names = planes_of_text(given, axes)
             return cls(rows, constants, dimension=len(axes), names=names)

@@ -107,7 +107,7 @@ class Verdict(AboutCaseMixin):
         **{word: name.removeprefix("solve(G, w).") for word, name in NAMES.items()},
         **by_word("""
             check -> verify()
-            draw plot show -> grasp.draw(wrench=verdict.wrench)
+            draw plot show -> verdict.grasp.draw(wrench=verdict.wrench)
             explain explanation reasons report why -> lines()
             is_stable resisted -> stable
             margin -> ResistedSet(grasp).margin(wrench)

@@ -14,6 +14,7 @@ from random import Random
 from typing import Any
 
 from arrangement.console.number_form import ReprMixin
+from arrangement.hints import hints_on_arguments
 from arrangement.numbers import budget
 from proofs_check.errors import OwnClaimError
 
@@ -225,6 +226,7 @@ def _agree(values: tuple[Any, ...]) -> bool:
     return not broken and all(bool(value == answers[0]) for value in answers[1:])
 
 
+@hints_on_arguments({"samples": "dataclasses.replace(claim, samples=...)"})
 def evaluate(claim: Claim, seed: int = 0, progress: Callable[[int], None] | None = None) -> Result:
     """Check a claim on all its cases, and look for the smallest counterexample.
 

@@ -14,6 +14,7 @@ from arrangement.console.plugins import method_code
 from arrangement.console.progress import watched
 from arrangement.console.workers import part_numbers, run_parts
 from arrangement.errors import OutOfReachError
+from arrangement.hints import hints_on_arguments
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, from_floats
 from arrangement.numbers.float_filter import Booleans, Floats
@@ -94,6 +95,7 @@ class CheckedGrasps(ReprMixin):
         return brackets
 
 
+@hints_on_arguments({})
 def check_grasps(
     points: Any,
     normals: Any,

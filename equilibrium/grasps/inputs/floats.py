@@ -16,6 +16,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from arrangement.hints import hints_on_arguments
 from arrangement.library.files.json_files import (
     Source,
     check_keys,
@@ -53,6 +54,7 @@ _LARGEST = Fraction(sys.float_info.max)
 _DECIMAL = re.compile(r"[+-]?([0-9]{1,400}\.?[0-9]{0,400}|\.[0-9]{1,400})([eE][+-]?[0-9]{1,4})?")
 
 
+@hints_on_arguments({})
 def from_float_data(
     points: Iterable[Any],
     normals: Iterable[Any],
