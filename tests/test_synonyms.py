@@ -539,6 +539,7 @@ arrangement make braid n=4 | arrangement make braid --n 4
 arrangement make braid -n 4 | --n 4
 arrangement make generic 5 2 | arrangement make generic --m 5 --d 2
 arrangement make random | arrangement make random-integer --m 3
+arrangement count help help | arrangement count FILE -h
 arrangement version | arrangement --version
 arrangement help count | arrangement count --help
 arrangement --json count pencil | arrangement count pencil --json

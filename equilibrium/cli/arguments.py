@@ -118,7 +118,6 @@ def add_applied(
     parser: argparse.ArgumentParser,
     name: str = "--wrench",
     text: str = "the load: force (f_x, f_y) and torque (moment) tau about the origin",
-    required: bool = True,
 ) -> Any:
     """Add a wrench, as such, or as a force or a weight at a point; see `applied`.
 
@@ -126,9 +125,8 @@ def add_applied(
 
     Args:
         name, text: of the option that takes the wrench as such.
-        required: whether one of the three must be taken.
     """
-    group: Any = parser.add_mutually_exclusive_group(required=required)
+    group: Any = parser.add_mutually_exclusive_group()
     add_wrench(group, name, text, None)
     add_force(parser, group)
     return group

@@ -50,7 +50,7 @@ def add_lab(commands: Any) -> None:
     lab = add_command(commands, "lab", _lab, text, optional=True, numbers=False)
     lab.add_argument("-o", "--output", metavar="PAGE.html", required=True, help="the page")
     text = "initial force (f_x, f_y) and torque tau"
-    add_applied(lab, text=text, required=False)
+    add_applied(lab, text=text)
     lab.add_argument("--title", metavar="TEXT", help="heading of the page")
     lab.add_argument(
         "--exercises", metavar="FILE", help="JSON file of exercises that replace the built-in ones"

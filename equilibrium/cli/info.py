@@ -57,7 +57,7 @@ def add_command_info(commands: Any) -> None:
     )
     parser = add_command(commands, "info", _info, text, *answers)
     text = "report: also decide this force (f_x, f_y) and torque tau, with its margin"
-    add_applied(parser, text=text, required=False)
+    add_applied(parser, text=text)
     parser.add_argument(
         "-o", "--output", metavar="FILE.html", help="report: write it as a page with a picture"
     )

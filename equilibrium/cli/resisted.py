@@ -44,7 +44,7 @@ def add_command_resisted(commands: Any) -> None:
     answers = ("resisted at least in part", "not resisted or the search errs", "undecided")
     parser: Any = add_command(commands, "resisted", _resisted, text, *answers, heading="common")
     text = "only the resisted magnitudes of this force (f_x, f_y) and torque tau"
-    forms = add_applied(parser, text=text, required=False)
+    forms = add_applied(parser, text=text)
     text = "the resisted magnitudes of this wrench on one body, added to the wrenches of the file"
     add_on_body(forms, "--along", text)
     add_on_body(parser)

@@ -51,7 +51,7 @@ def add_command_solve(commands: Any) -> None:
     answers = ("resisted", "not resisted", "undecided")
     parser: Any = add_command(commands, "solve", _solve, text, *answers, heading="common")
     parser.usual = "--weight 1"
-    loads = add_applied(parser, required=False)
+    loads = add_applied(parser)
     parser.strays[r"[^-].*\.(csv|npz)"] = "--wrenches FILE for loads"
     add_on_body(loads)
     loads.add_argument(

@@ -45,7 +45,7 @@ def add_command_verify(commands: Any) -> None:
     text = "by the formally verified checker (built by `make formal`)"
     parser.add_argument("--verified", action="store_true", help=text)
     add_grasp(parser, "--grasp")
-    add_applied(parser, text="with --grasp: the load of the proof", required=False)
+    add_applied(parser, text="with --grasp: the load of the proof")
     add_cone(parser)
     add_displacement(parser)
 

@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
@@ -462,11 +462,8 @@ class Grasp(ContactValuesMixin, DrawableGrasp):
         units = Units.from_dict(document["units"]) if "units" in document else None
         outline = read_outline(document["outline"]) if "outline" in document else None
         error = DataError.from_dict(document["data_error"]) if "data_error" in document else None
-        try:
-            made = [contact_of(entry, i) for i, entry in enumerate(contacts)]
-        except GraspError:
-            check_all(*(partial(contact_of, entry, i) for i, entry in enumerate(contacts)))
-            raise
+        made: list[Contact] = []
+        check_all(*(lambda e=e, i=i: made.append(contact_of(e, i)) for i, e in enumerate(contacts)))
         return cls(made, units, outline, error)
 
 

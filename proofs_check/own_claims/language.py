@@ -91,10 +91,6 @@ _REMEDIES = {
         "a condition",
         "m >= 4 implies regions <= m**2, or regions <= m**2 with --when 'm >= 4'",
     ),
-    r"\b(?:is|are|equals?|at most|at least|less|more)\b": (
-        "words for a comparison",
-        "regions <= m**2",
-    ),
     r"[\u00b9\u00b2\u00b3\u2070-\u209f]": ("a raised or lowered number", "m**2"),
     r"[\w)]\s*!(?!=)": ("a factorial", "factorial(m)"),
     r"\d\s*(?!implies|and|or|in|not)[A-Za-z(]|\)\s*\(": ("a product without its sign", "2*m"),

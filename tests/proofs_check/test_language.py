@@ -55,7 +55,7 @@ LINES = generic(4, 2, affine=True)
         ("every arrangement has at least m triangles.", r"write 'p_vector.get\(3, 0\) >= m'"),
         ("a generic arrangement has exactly 2*E edges", "; write 'simple implies E == 2\\*E'"),
         ("there are fewer than m**2 vertices", r"; write 'V < m\*\*2'"),
-        ("every line is at most what", "words for a comparison, 'is'"),
+        ("every line is at most what", "cannot be read; write a comparison such as regions"),
         ("faces - edges = 2", "'faces' is not a quantity; write F.*; 'edges' is not .*; write E$"),
         ("regions <= m!", r"has a factorial, 'm!', .* write such as factorial\(m\)"),
         ("regions <=", r"cannot be read; write a comparison such as regions <= m\*\*2"),

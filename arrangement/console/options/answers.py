@@ -224,10 +224,6 @@ def _missing(command: Parser, operands: list[str], given: set[str]) -> Iterator[
             for value in values:
                 operands.remove(value)
             yield usage(command, action, values or ["3"] * integer)
-    for group in command._mutually_exclusive_groups:
-        flags = {flag for action in group._group_actions for flag in action.option_strings}
-        if group.required and not given & flags:
-            yield usage(command, group._group_actions[0])
 
 
 def _fits(command: Parser, place: argparse.Action, word: str, foreign: bool) -> bool:
@@ -319,8 +315,7 @@ def unknown_command(program: Parser, word: str) -> tuple[str, list[Entry]]:
     if use:
         return f"{shown(word)} is not a command; write {use}", []
     for name in (x for x in [word, *words] if x not in names):
-        then = partial(_nearest, program, word if name != word else "")
-        if use := family(program, name, then):
+        if use := family(program, name, partial(_nearest, program, word if name != word else "")):
             return use, []
     start = f"there is no command {shown(word)}; expected one of these, the nearest first:"
     if _NO_NAME.search(word):
@@ -432,7 +427,7 @@ def unexpected(command: Parser, word: str) -> tuple[str]:
     elif known := stray(command, word):
         use = f"write {known}"
     elif action := command._option_string_actions.get(f"--{word}"):
-        use = f"write {line(command, others, usage(command, action, rest[rest.index(word) + 1 :]))}"
+        use = f"write {line(command, others, usage(command, action, rest[1:]))}"
     elif places and _fits(command, places[0], word, True):
         files = " ".join(map(quote, typed.operands))
         one = line(command, ["FILE", *(x for x in others if x not in typed.operands)])

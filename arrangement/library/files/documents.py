@@ -142,12 +142,11 @@ def with_all_faults(
     try:
         return Arrangement(normals, offsets, **more)
     except InputError:
-        rows = [(f"of normal {i}", row) for i, row in enumerate(normals, 1)]
-        rows += [("of the offsets", offsets)] if offsets is not None else []
+        rows = {f"of normal {i}": row for i, row in enumerate(normals, 1)}
         check_all(
             *(
                 partial(rational, entry, f"entry {k} {where}")
-                for where, row in rows
+                for where, row in (rows | {"of the offsets": offsets or ()}).items()
                 for k, entry in enumerate(row, 1)
                 if isinstance(entry, str)
             )

@@ -122,10 +122,10 @@ def check_all(*checks: Callable[[], object]) -> None:
         try:
             check()
         except InputError as error:
-            refused.append(str(error))
+            refused.append(error)
     if refused:
         more = [f"{len(refused) - 5} more such"] * (len(refused) > 5)
-        raise InputError("; ".join([*refused[:5], *more]))
+        raise type(refused[0])("; ".join([*map(str, refused[:5]), *more]))
 
 
 def check_list(value: Any, where: str, length: int | None = None) -> list[Any]:
@@ -284,15 +284,13 @@ def _parse_integer(text: str) -> int:
 
 
 def _refuse_floats(texts: Sequence[str], of_floats: str) -> None:
-    if not texts:
-        return
-    remedy = f". {of_floats}" if of_floats else ""
-    more = f" and {len(texts) - 3} more" if len(texts) > 3 else ""
-    some = ", ".join(map(shown, texts[:3]))
-    what = f"the numbers {some}{more} are floats; write integers or strings"
-    if len(texts) == 1:
-        what = f"the number {shown(texts[0])} is a float; write an integer or a string"
-    raise InputError(f'{what} such as "1/4", "-0.25"{remedy}')
+    if texts:
+        more = f" and {len(texts) - 3} more" if len(texts) > 3 else ""
+        what = "number {} is a float" if len(texts) == 1 else "numbers {} are floats"
+        raise InputError(
+            f"the {what.format(', '.join(map(shown, texts[:3])) + more)}; write an integer or a "
+            f'string such as "1/4", "-0.25"{of_floats and ". "}{of_floats}'
+        )
 
 
 def _refuse_constant(text: str) -> Any:

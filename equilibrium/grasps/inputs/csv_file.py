@@ -25,11 +25,12 @@ from contextlib import contextmanager
 from dataclasses import replace
 from difflib import get_close_matches
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard
 
 from arrangement.errors import refusal
-from arrangement.library.files.json_files import read_text
+from arrangement.library.files.json_files import check_all, read_text
 from arrangement.numbers.exact import rational, shown, to_text
 from equilibrium.model.assembly import Assembly, BodyContact
 from equilibrium.model.contact import VALUES
@@ -71,8 +72,6 @@ _COMMA_FREE = re.compile(r"[-+0-9./eE]+")
 _SEPARATORS = (",", ";", "\t")
 #: Characters in which the first line of a file is looked for.
 _HEAD_SIZE = 2**16
-#: Lines whose faults one error lists.
-_MOST_FAULTS = 5
 #: Line numbers, and entries by column.
 Rows: TypeAlias = Iterable[tuple[int, dict[str, str]]]
 #: Makes contacts of points, normals and values by name.
@@ -231,19 +230,13 @@ def read_rows(
         pairs: is given the bodies of each contact; None refuses a table that has some.
     """
     lines, points, normals, values, extras = [], [], [], [], []
-    refused: list[str] = []
-    for line, row in rows:
-        if pairs is None and BODIES[0] in row:
-            raise GraspError("the table has bodies; expected a grasp. `read_assembly` reads it")
-        try:
-            with _named(line):
-                if pairs is not None:
-                    pairs.append(pair_of(*(row.pop(name) for name in BODIES)))
-                exact = {x: rational(row.pop(x), x) for x in (_ANGLE, *EXTRAS) if x in row}
-                entries = {name: number(entry, name) for name, entry in row.items()}
-        except GraspError as error:
-            refused.append(str(error))
-            continue
+
+    def take(line: int, row: dict[str, str]) -> None:
+        with _named(line):
+            if pairs is not None:
+                pairs.append(pair_of(*(row.pop(name) for name in BODIES)))
+            exact = {key: rational(row.pop(key), key) for key in (_ANGLE, *EXTRAS) if key in row}
+            entries = {name: number(entry, name) for name, entry in row.items()}
         if _ANGLE in exact:
             direction = direction_of(exact.pop(_ANGLE))
             entries |= zip(("normal_x", "normal_y"), direction, strict=True)
@@ -253,22 +246,20 @@ def read_rows(
         normals.append([entries[f"normal_{x}"] for x in axes])
         values.append({name: entries[name] for name in VALUES if name in entries})
         extras.append(exact)
+
+    def check(line: int, point: Any, normal: Any, value: dict[str, Any]) -> None:
+        with _named(line):
+            convert([point], [normal], [value])
+
+    taken = list(rows)
+    if pairs is None and any(BODIES[0] in row for _, row in taken):
+        raise GraspError("the table has bodies; expected a grasp. `read_assembly` reads it")
+    check_all(*(partial(take, *row) for row in taken))
     try:
-        if not refused:
-            return completed(convert(points, normals, values), extras)
-    except ValueError as error:
-        refused.append(str(error))
-    whole = [text for text in refused if not text.startswith("line ")]
-    faults = [text for text in refused if text.startswith("line ")]
-    for line, point, normal, value in zip(lines, points, normals, values, strict=True):
-        try:
-            with _named(line):
-                convert([point], [normal], [value])
-        except GraspError as error:
-            faults.append(str(error))
-    faults = sorted(faults, key=lambda text: int(text.split()[1].rstrip(":"))) or whole
-    more = [f"{len(faults) - _MOST_FAULTS} more lines"] * (len(faults) > _MOST_FAULTS)
-    raise GraspError("; ".join([*faults[:_MOST_FAULTS], *more]))
+        return completed(convert(points, normals, values), extras)
+    except ValueError:
+        check_all(*map(partial, [check] * len(lines), lines, points, normals, values))
+        raise
 
 
 @contextmanager
