@@ -170,6 +170,7 @@ FACES: Mapping[str, str] = by_word("""
     area -> r.volume
     center centre centroid interior_point representative_point sample_point -> r.witness
     covector sign_vector -> r.signs
+    is_unbounded unbounded -> not r.is_bounded
     draw plot -> A.draw()
     edges -> r.faces
     n_vertices -> len(r.vertices)
@@ -180,7 +181,9 @@ FACES: Mapping[str, str] = by_word("""
 SEGMENTS: Mapping[str, str] = PICTURES | by_word("""
     arrangement -> S.lines
     bounded_regions -> S.pieces().bounded_cells
-    count f_vector faces region_count regions -> S.pieces()
+    cells count f_vector faces region_count regions -> S.pieces()
+    edges -> S.pieces().edges
+    vertices -> S.pieces().vertices
 """)
 
 #: Other words for the argument of what reads a file.

@@ -11,6 +11,7 @@ from arrangement.console.number_form import JsonMixin, ReprMixin
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, rational, rational_vector, shown, to_text
 from arrangement.numbers.linear.rank import cycle_edges
+from arrangement.synonyms import by_word
 
 from .errors import GraspError
 
@@ -119,10 +120,13 @@ class Mesh(JsonMixin):
     """An object in space with flat faces.
 
     Args:
-        vertices: points (length).
+        vertices: points (length), which `equilibrium.inputs.on_mesh` reads from a file.
         faces: at least three numbers of vertices each, counter-clockwise seen from outside.
     """
 
+    _synonyms: ClassVar[Mapping[str, str]] = by_word("""
+        from_file from_stl load read -> inputs.on_mesh(path, friction, at=points).grasp.outline
+    """)
     json_fields = ("vertices", "faces")
 
     dimension: ClassVar = 3
