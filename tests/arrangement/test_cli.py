@@ -4,7 +4,6 @@ import io
 import json
 import subprocess
 import sys
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,6 @@ import pytest
 from arrangement import Arrangement, read_arrangement
 from arrangement.counts import essentialization
 from arrangement.errors import InputError
-from arrangement.library.files import json_files
 
 
 def command(*arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
@@ -128,20 +126,13 @@ def test_what_takes_too_long_is_left_out_with_its_reason(run, tmp_path):
 def test_a_name_that_is_none_is_answered(refused):
     assert "did you mean the built-in braid-a3" in refused("count A3")
     for name, answer in (
-        ("braid:3", "braid-a3? Or write arrangement make braid --n 4 -o FILE.json and"),
-        ("regular polygon 7", "; write arrangement make polygon --corners 6 -o FILE.json and"),
+        ("braid:3", "did you mean the built-in braid-a3? `list` prints names, `arrangement list "),
+        ("regular polygon 7", "; `list` prints names, `arrangement list --families` what `arrang"),
     ):
         with pytest.raises(InputError) as error:
             read_arrangement(name)
         assert answer in str(error.value)
     assert "write" not in refused("count polygon.json")
-
-
-@pytest.mark.parametrize("command", json_files.MADE.values())
-def test_commands_that_make_what_has_no_name_work(command, tmp_path):
-    program, *words = command.split()
-    assert import_module(f"{program}.cli").main([*words, "-o", str(tmp_path / "made.json")]) == 0
-    assert (tmp_path / "made.json").is_file()
 
 
 def test_regions_bounded_in_the_span_of_the_normals_are_counted(run, tmp_path):

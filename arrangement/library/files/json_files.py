@@ -183,17 +183,6 @@ def read_text(source: str | os.PathLike[str], kind: str = "bytes of a file") -> 
         raise InputError(f"{name} is {where if 'UTF-8' in known else known}") from None
 
 
-#: Parts of names of what is made, in small letters, with an example of a command.
-MADE = {
-    "arch": "equilibrium make arch",
-    "braid": "arrangement make braid --n 4",
-    "catalan": "arrangement make catalan --type A2",
-    "gon": "arrangement make polygon --corners 6",
-    "shi": "arrangement make shi --type A2",
-    "stack": "equilibrium make stack",
-}
-
-
 def read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
     """Return the content of stdin, a built-in document or a file, with a limit on its length."""
     try:
@@ -214,16 +203,10 @@ def read_bytes(source: str | os.PathLike[str], name: str, kind: str) -> bytes:
         short = str(source).lower()
         if not near and len(short) > 1:  # "A3" means braid-a3
             near = [name for name in instances() if short in name.split("-")][:3]
-        meant = ""
-        if _NAME.fullmatch(short):
-            meant = "; `list` prints the built-in names, and `arrangement list --families` families"
-        if near:
-            meant = f"; did you mean the built-in {' or '.join(near)}?"
-        made = [command for word, command in MADE.items() if word in short]
-        if not made and re.fullmatch(r"[\w-]+[:(].*", short):
-            made = ["arrangement make FAMILY, of those that `arrangement list --families` prints,"]
-        if made and not re.search(r"[/.]", short):
-            meant += f"{' Or' if near else ';'} write {made[0]} -o FILE.json and give FILE.json"
+        meant = f"; did you mean the built-in {' or '.join(near)}?" if near else ""
+        if not re.search(r"[/.]", short):
+            known = "prints names, `arrangement list --families` what `arrangement make` writes"
+            meant += f" `list` {known}" if near else f"; `list` {known}"
         raise InputError(f"cannot read {name}: {reason(error)}{meant}") from None
 
 
