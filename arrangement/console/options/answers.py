@@ -105,14 +105,12 @@ def nearness(word: str, name: str, text: str | None) -> float:
 
 def _takes(action: argparse.Action, word: str) -> bool:
     """Return whether a word may be a value of an option."""
-    is_file = re.search(r"FILE|PATH|\.", str(action.metavar))
     try:
         action.type is None or action.type(word)  # type: ignore[operator]
     except (argparse.ArgumentTypeError, TypeError, ValueError):
         return False
-    if is_file and "." not in word:
-        return False
-    return action.choices is None or word in action.choices
+    is_path = "." in word or not re.search(r"FILE|PATH|\.", str(action.metavar))
+    return is_path and (action.choices is None or word in action.choices)
 
 
 def _count(action: argparse.Action) -> tuple[int, float]:
@@ -130,12 +128,12 @@ def is_option(word: str) -> bool:
 def usage(command: Parser, action: argparse.Action, values: Sequence[str] = ()) -> str:
     """Return an option with values, or with what stands for them."""
     least, most = _count(action)
-    shown_values = " ".join(action.metavar or ())
+    text = " ".join(action.metavar or ())
     if not isinstance(action.metavar, tuple):  # options that grow take more than it names
-        shown_values = command._get_formatter()._format_args(action, action.dest.upper())
+        text = command._get_formatter()._format_args(action, action.dest.upper())
     if least <= len(values) <= most and all(_takes(action, value) for value in values):
-        shown_values = join(values)
-    return f"{action.option_strings[0]} {shown_values}".strip()
+        text = join(values)
+    return f"{action.option_strings[0]} {text}".strip()
 
 
 class Typed:
@@ -200,7 +198,9 @@ def line(command: Parser, words: Sequence[str], *more: str, foreign: bool = Fals
                 break
         else:
             if isinstance(place, argparse._SubParsersAction):
-                return _kind(command, words, place)
+                ending = next(filter(None, (Path(word).suffix for word in words)), "")
+                near = commands_of(command, ending, words)[:1] if ending else []
+                return near[0].line if near and near[0].score else f"{command.prog} {place.metavar}"
             if place.nargs not in ("?", "*"):
                 parts.append(str(place.metavar or place.dest))
     given = {flag for flag, _ in typed.options} | {text.split()[0] for text in more}
@@ -232,15 +232,6 @@ def _fits(command: Parser, place: argparse.Action, word: str, foreign: bool) -> 
         return word in place.choices
     is_known = place.dest in command.names and word in command.names[place.dest]()
     return not foreign or is_known or os.path.lexists(word) or _NO_NAME.search(word) is not None
-
-
-def _kind(command: Parser, words: Sequence[str], place: argparse.Action) -> str:
-    """Return the line of a family, or of a kind that is for files of such an ending."""
-    for ending in filter(None, (Path(word).suffix for word in words)):
-        for kind, text in kinds(command).values():
-            if nearness(ending, kind.prog.rpartition(" ")[2], text) > 0.5:
-                return line(kind, words)
-    return f"{command.prog} {place.metavar}"
 
 
 def _best(command: Parser, word: str, words: Sequence[str], text: str) -> Entry:
