@@ -15,8 +15,10 @@ from itertools import pairwise
 from typing import Any, TypeAlias
 
 from arrangement.numbers.exact import RationalVector, dot, to_text
+from arrangement.numbers.linear.intervals import is_long, where_positive
 from equilibrium.certificate.leaves import spatial_leaves
 from equilibrium.core.contact_law import spring_force
+from equilibrium.core.contact_rows import sum_row
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
@@ -147,13 +149,12 @@ class KnownMagnitudes:
 
     def load(self, t: Fraction) -> RationalVector:
         """Return the load of a magnitude."""
-        return tuple(b + t * x for b, x in zip(self.base, self.along, strict=True))
+        return sum_row(self.base, self.along, t)
 
     def reach(self, refused: Fraction, resisted: Fraction, near: float) -> Any:
         """Return how near resisted loads come to one that is not; see `Solver.reach`."""
-        return self.known.solver.reach(
-            self.load(refused), self.load(resisted), _BOUNDARY_NODES, near
-        )
+        ends = self.load(refused), self.load(resisted)
+        return self.known.solver.reach(*ends, _BOUNDARY_NODES, near)
 
     def verdict(self, t: Fraction, **how: Any) -> str:
         """Return what follows from earlier proofs, or decide; see `KnownLoads.solve`."""
@@ -181,14 +182,10 @@ class KnownMagnitudes:
 
     def refuting(self, t: Fraction) -> Ends | None:
         """Return the magnitudes that a tree refutes together with this one, if one does."""
-        return next(
-            (
-                (low, high)
-                for low, high in self.refuted
-                if (low is None or low < t) and (high is None or t < high)
-            ),
-            None,
-        )
+        for low, high in self.refuted:
+            if (low is None or low < t) and (high is None or t < high):
+                return low, high
+        return None
 
     def refutes_between(self, low: Fraction, high: Fraction | None) -> bool:
         """Return whether all magnitudes between two are refuted, without these themselves.
@@ -213,22 +210,11 @@ class KnownMagnitudes:
 
         Of a proof in the plane, which has no such leaves, nothing is known.
         """
-        if not works:
+        rows = [(dot(motion, self.along), dot(motion, self.base) + rest) for motion, rest in works]
+        if not rows or any(not slope and start <= 0 for slope, start in rows):
             return None
-        low: Fraction | None = None
-        high: Fraction | None = None
-        for motion, rest in works:
-            start, slope = dot(motion, self.base) + rest, dot(motion, self.along)
-            if not slope:
-                if start <= 0:
-                    return None
-                continue
-            end = Fraction(-start) / slope
-            if slope > 0:
-                low = end if low is None else max(low, end)
-            else:
-                high = end if high is None else min(high, end)
-        return None if low is not None and high is not None and low >= high else (low, high)
+        closed = where_positive(rows)
+        return closed if closed and is_long(closed) else None
 
 
 def blends(grasp: Grasp, one: Solution, other: Solution) -> bool:

@@ -14,10 +14,17 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from arrangement.numbers.exact import RationalVector, rational, shown, simplest_between, to_text
+from arrangement.numbers.exact import (
+    RationalVector,
+    dot,
+    rational,
+    shown,
+    simplest_between,
+    to_text,
+)
 from equilibrium.core.contact_rows import sum_row
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
-from equilibrium.decide.assemblies.ends import Giving
+from equilibrium.decide.assemblies.ends import Giving, given_at
 from equilibrium.decide.known_loads import Border, KnownLoads, KnownMagnitudes
 from equilibrium.decide.nearby import WithinError
 from equilibrium.decide.solver import Solver
@@ -68,13 +75,8 @@ class Nearby(NamedTuple):
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
-        known = self.rounding
-        return {
-            "t": to_text(self.t),
-            "verdict": known.verdict,
-            "answer": known.answer,
-            "proved": known.proved,
-        }
+        names = ("verdict", "answer", "proved")
+        return {"t": to_text(self.t), **{name: getattr(self.rounding, name) for name in names}}
 
 
 @dataclass(frozen=True)
@@ -122,8 +124,7 @@ class SpatialMagnitudes:
         for border in self.borders[:_ASKED]:
             way = -1 if border.resisted < border.refused else 1
             t = border.resisted * (1 + way * _NEAR)
-            wrench = sum_row(self.base, self.direction, t)
-            verdict = solver.solve(wrench, steps=_STEPS)
+            verdict = solver.solve(sum_row(self.base, self.direction, t), steps=_STEPS)
             nearby.append(Nearby(t, verdict.within_error()))
         return tuple(nearby)
 
@@ -135,11 +136,11 @@ class SpatialMagnitudes:
         of the largest normal force. None where no equilibrium is found, and at 0.
         """
         solver = Solver(self.grasp, self.max_displacement)
-        loads = (sum_row(self.base, self.direction, border.resisted) for border in self.borders)
-        pairs = zip(self.borders, loads, strict=True)
+        ends = [border.resisted for border in self.borders]
+        loads = [sum_row(self.base, self.direction, t) for t in ends]
         return tuple(
-            _read_off(self.grasp, solver.solve(load, nodes=_NODES)) if border.resisted else None
-            for border, load in pairs
+            _read_off(self.grasp, solver.solve(load, nodes=_NODES)) if t else None
+            for t, load in zip(ends, loads, strict=True)
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -213,15 +214,13 @@ def _read_off(grasp: Grasp, verdict: Verdict) -> Giving | None:
         return None
     forces = verdict.solution.forces
     least = _CLOSE * max((normal for normal, *_ in forces), default=Fraction(0))
-    slips, lifts = [], []
-    for number, points in enumerate(grasp.groups, 1):
-        loaded = [i for i in points if forces[i][0] > least]
-        limits = (((1 - _CLOSE) * grasp.contacts[i].friction * forces[i][0], i) for i in loaded)
-        if not loaded:
-            lifts.append(number)
-        elif all(limit and sum(x * x for x in forces[i][1:]) >= limit**2 for limit, i in limits):
-            slips.append(number)
-    return Giving(tuple(slips), tuple(lifts)) or None
+    limits = [(1 - _CLOSE) * c.friction * force[0] for c, force in zip(grasp, forces, strict=True)]
+    slips = [
+        bool(limit) and dot(rubbed, rubbed) >= limit**2
+        for limit, (_, *rubbed) in zip(limits, forces, strict=True)
+    ]
+    given = given_at(grasp.groups, [normal <= least for normal, *_ in forces], slips)
+    return replace(given, tips=()) or None
 
 
 def _ends_first(count: int) -> list[int]:

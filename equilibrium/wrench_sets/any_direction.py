@@ -12,7 +12,7 @@ the documentation.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from heapq import heappop, heappush
@@ -37,8 +37,9 @@ from arrangement.numbers.linear.rank import difference
 from equilibrium.core.contact_rows import negated, sum_row
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import read_wrench
-from equilibrium.wrench_sets.outline import polygons_near, tight
+from equilibrium.wrench_sets.outline import outer_facets, polygons_near
 from equilibrium.wrench_sets.polyhedra import Piece, states_with
+from equilibrium.wrench_sets.separation import both_ways
 
 if TYPE_CHECKING:
     from equilibrium.wrench_sets.resisted_set import ResistedSet
@@ -80,18 +81,7 @@ class SmallestUnresisted(JsonMixin):
 def smallest_unresisted_wrench(
     whole: ResistedSet, base: Iterable[Any] = (0, 0, 0), torque_length: Any = 1
 ) -> SmallestUnresisted:
-    """Return how small a wrench may be, in any direction, without being resisted; exact.
-
-    Without preload and base the size is 0, or all wrenches are resisted: with a wrench its
-    multiples are.
-
-    Args:
-        base: a wrench that acts in any case; the smallest one is added to it.
-        torque_length: that torques are divided by, above 0, to compare them with forces.
-
-    Raises:
-        GraspError: a torque_length that is not above 0, a base of wrong length, or a grasp in
-            space.
+    """Return how small a wrench may be without being resisted; see `ResistedSet.smallest_outside`.
 
     Complexity: the polyhedra of the set, then O(n^2) rounded tests of whether one of n polyhedra is
     near a facet of another one, and exact cuts of the facets that are nearer than the answer.
@@ -187,7 +177,7 @@ class _FacetPart(NamedTuple):
             shape
             for shape in self.others
             if all(dot(row, point) >= 0 for row in shape.inequalities)
-            and any(dot(self.row, x) < 0 for x in _both_ways(*shape.homogeneous))
+            and any(dot(self.row, x) < 0 for x in both_ways(*shape.homogeneous))
         )
         return min(holding, default=None, key=left)
 
@@ -213,35 +203,25 @@ class _FacetPart(NamedTuple):
 
 def _nearest_border(solids: Sequence[Polyhedron], sizes: _Sizes) -> _FacetPart | None:
     """Return the part of the boundary of a union nearest to a base in it; None without boundary."""
-    facets: dict[IntegerVector, dict[frozenset[IntegerVector], Polyhedron]] = {}
-    for solid in solids:
-        for row in solid.inequalities:
-            facets.setdefault(row, {})[frozenset(tight(row, solid))] = solid
-    # A facet with a polyhedron on either side is inside, and most are.
-    alone = [
-        (row, solid)
-        for row in sorted(facets)
-        for ends, solid in facets[row].items()
-        if ends not in facets.get(negated(row), ())
-    ]
-    others = polygons_near([row for row, _ in alone], [[solid] for _, solid in alone], solids)
+    alone = [(row, [solid]) for row, shapes in outer_facets(solids) for solid in shapes]
+    around = zip(alone, polygons_near(alone, solids), strict=True)
+    parts = [_facet(row, solid, others, sizes) for (row, (solid,)), others in around]
     waiting: list[tuple[Fraction, int, _FacetPart]] = []
     order = count()
-    for (row, solid), around in zip(alone, others, strict=True):
-        part = _facet(row, solid, around, sizes)
-        heappush(waiting, (sizes.square(part.nearest), next(order), part))
-    for part in watched(_nearest_first(waiting), "parts of facets"):
+
+    def nearest_first() -> Iterator[_FacetPart]:
+        while parts or waiting:
+            for part in parts:
+                heappush(waiting, (sizes.square(part.nearest), next(order), part))
+            parts.clear()
+            yield heappop(waiting)[-1]
+
+    for part in watched(nearest_first(), "parts of facets"):
         shape = part.covering()
         if shape is None:
             return part
-        for rest in part.without(shape, sizes):
-            heappush(waiting, (sizes.square(rest.nearest), next(order), rest))
+        parts += part.without(shape, sizes)
     return None
-
-
-def _nearest_first(waiting: list[tuple[Fraction, int, _FacetPart]]) -> Iterator[_FacetPart]:
-    while waiting:
-        yield heappop(waiting)[-1]
 
 
 def _facet(
@@ -264,13 +244,7 @@ def _facet(
 
 
 def _generators(cone: Cone) -> list[IntegerVector]:
-    return _both_ways((ray for ray, _ in cone.rays), cone.lines)
-
-
-def _both_ways(
-    rays: Iterable[IntegerVector], lines: Iterable[IntegerVector]
-) -> list[IntegerVector]:
-    return [*rays, *(x for line in lines for x in (line, negated(line)))]
+    return both_ways((ray for ray, _ in cone.rays), cone.lines)
 
 
 def _beyond(
@@ -278,8 +252,8 @@ def _beyond(
 ) -> RationalVector:
     """Return a load that is not resisted, near the nearest point of a part of the boundary.
 
-    The k-th of the loads tried is ``p + f (u - v / 2^k)``: p is the nearest point, f halves with k,
-    u leads into the polygon (anywhere, without a part), v in front of its facet. The sign of each
+    In the loads of `unresisted_near` p is the nearest point, u leads into the polygon (anywhere,
+    without a part), v in front of its facet. The sign of each
     condition of a polyhedron is the same at all of them from some k on: that at p if it is not 0,
     else that along u, which is chosen so that it is not 0 either, or the condition's plane is that
     of the polygon. So a polyhedron has all later loads or none, and "Proofs" in the documentation
@@ -298,17 +272,37 @@ def _beyond(
     if not states_with(pieces, end):
         return end
     inner = _generic(end, corners, [piece.polyhedron for piece in pieces])
-    step, back = _short(difference(inner, end)), _short(inward)
+
+    def is_resisted(load: RationalVector) -> bool:
+        """Return whether a load is resisted, or too far away."""
+        away = difference(load, end)
+        return sizes.product(away, away) > reach**2 or bool(states_with(pieces, load))
+
+    return unresisted_near(end, _short(difference(inner, end)), _short(inward), reach, is_resisted)
+
+
+def unresisted_near(
+    end: RationalVector,
+    u: Sequence[Any],
+    v: Sequence[Any],
+    reach: Fraction,
+    is_resisted: Callable[[RationalVector], bool],
+) -> RationalVector:
+    """Return the first of the loads ``p + f/2^k (u - v/2^k)`` that is not resisted, rounded or not.
+
+    Args:
+        end: p, a load at the boundary.
+        u, v: such that infinitely many of the loads are not resisted.
+        reach: f.
+    """
     for k in count(1):
         far = reach / 2**k
-        load = sum_row(sum_row(end, step, far), back, -far / 2**k)
+        exact = tuple(x + far * (a - Fraction(b) / 2**k) for x, a, b in zip(end, u, v, strict=True))
         room = far / 4**k
-        simple = tuple(simplest_between(x - room, x + room) for x in load)
-        for candidate in (simple, load):
-            away = difference(candidate, end)
-            if sizes.product(away, away) <= reach**2 and not states_with(pieces, candidate):
-                return candidate
-    raise AssertionError  # a load is found: see above
+        for load in (tuple(simplest_between(x - room, x + room) for x in exact), exact):
+            if not is_resisted(load):
+                return load
+    raise AssertionError  # some load is not
 
 
 def _generic(

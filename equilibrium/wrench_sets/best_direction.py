@@ -12,15 +12,14 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import count
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import JsonMixin
-from arrangement.numbers.exact import RationalVector, dot, rational_vector, simplest_between
+from arrangement.numbers.exact import RationalVector, dot, rational_vector
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import read_wrench
 
-from .any_direction import root
+from .any_direction import root, unresisted_near
 from .outline import Segment
 
 if TYPE_CHECKING:
@@ -80,16 +79,9 @@ def angle(force: RationalVector | None) -> float:
 def best_direction(
     whole: ResistedSet, base: Iterable[Any] = (0, 0, 0), point: Iterable[Any] = (0, 0)
 ) -> BestDirection:
-    """Return the least force at a point that a grasp with a load does not resist, exactly.
+    """Return the least force at a point that ends resistance; see `ResistedSet.best_direction`.
 
     Forces that are resisted in one direction alone, next to others that are not, do not count.
-
-    Args:
-        base: a wrench that acts in any case.
-        point: where the force acts.
-
-    Raises:
-        GraspError: a base or a point of wrong length, or a grasp in space.
 
     >>> from equilibrium import Contact, Grasp, ResistedSet
     >>> block = Grasp([Contact([x, 0], [0, 1], "3/4") for x in (-3, 3)])
@@ -102,21 +94,20 @@ def best_direction(
         raise GraspError(f"point has {len(place)} coordinates; expected 2")
     x, y = place
     region = whole.slice((1, 0, -y), (0, 1, x), load)
-    border, is_held = region.outline.border, region.contains(_ORIGIN)
-    ends = [edge for edge in border if edge.constant > 0 or (is_held and not edge.constant)]
-    if is_held and not any(
-        p.polyhedron.dimension == 2 and p.polyhedron.contains(_ORIGIN) for p in region.polygons
-    ):
-        moving, edge = _ORIGIN, None
-    elif not ends:
-        return BestDirection(load, place, None, None, _holding(region, is_held))
-    else:
-        moving, edge = min(
-            ((_nearest(edge), edge) for edge in ends), key=lambda pair: dot(pair[0], pair[0])
-        )
-    return BestDirection(
-        load, place, moving, _beyond(region, moving, edge), _holding(region, is_held)
-    )
+    outline, is_held = region.outline, region.contains(_ORIGIN)
+    ends = [edge for edge in outline.border if edge.constant > 0 or (is_held and not edge.constant)]
+    solid = (p.polyhedron for p in region.polygons if p.polyhedron.dimension == 2)
+    moving = beyond = holding = None
+    if is_held and not any(polygon.contains(_ORIGIN) for polygon in solid):
+        moving, beyond = _ORIGIN, _beyond(region, _ORIGIN, None)
+    elif ends:
+        nearest = ((_nearest(edge), edge) for edge in ends)
+        moving, edge = min(nearest, key=lambda pair: dot(pair[0], pair[0]))
+        beyond = _beyond(region, moving, edge)
+    if not is_held:
+        parts = [_nearest(edge) for edge in (*outline.border, *outline.whiskers)]
+        holding = min([*parts, *outline.points], default=None, key=lambda x: dot(x, x))
+    return BestDirection(load, place, moving, beyond, holding)
 
 
 def _nearest(edge: Segment) -> RationalVector:
@@ -130,34 +121,18 @@ def _nearest(edge: Segment) -> RationalVector:
     return edge.end if high is not None and high < 0 else foot  # type: ignore[return-value]
 
 
-def _holding(region: Region, is_held: bool) -> RationalVector | None:
-    """Return the least force that is resisted, if none at all is not."""
-    outline = region.outline
-    parts = [_nearest(edge) for edge in (*outline.border, *outline.whiskers)]
-    points = [] if is_held else [*parts, *outline.points]
-    return min(points, default=None, key=lambda x: dot(x, x))
-
-
 def _beyond(region: Region, end: RationalVector, edge: Segment | None) -> RationalVector:
     """Return a force that is not resisted, near an end of the resisted ones on an edge.
 
-    Those tried are ``p + f/2^k (u - v/2^k)``: p is the end, u leads along the edge, v to its inner
-    side. A polygon with infinitely many of them has p, and covers the outer side of the edge there,
-    or it is flat; but a line has two of them at most. So one is in no polygon.
+    In those of `unresisted_near` p is the end, u leads along the edge, v to its inner side. A
+    polygon with infinitely many of them has p, and covers the outer side of the edge there, or it
+    is flat; but a line has two of them at most. So one is in no polygon.
 
     Args:
         edge: None where no polygon with area has the end.
     """
-    reach = _BEYOND * (root(dot(end, end)) or 1) / 2
     u, v = ((1, 0), (0, 1)) if edge is None else (edge.direction, edge.normal)
     if edge is not None and end == edge.end:
         u = (-u[0], -u[1])
-    size = sum(map(abs, u))
-    for k in count(1):
-        far = reach / 2**k / size
-        exact = tuple(x + far * (a - Fraction(b, 2**k)) for x, a, b in zip(end, u, v, strict=True))
-        for room in (far / 4**k, Fraction(0)):
-            candidate = tuple(simplest_between(x - room, x + room) if room else x for x in exact)
-            if not region.contains(candidate):
-                return candidate
-    raise AssertionError  # See above.
+    reach = _BEYOND * (root(dot(end, end)) or 1) / 2 / sum(map(abs, u))
+    return unresisted_near(end, u, v, reach, region.contains)

@@ -10,9 +10,10 @@ coefficient cones are half-planes, in which friction takes a normal force.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from arrangement.console.number_form import JsonMixin
@@ -26,11 +27,11 @@ from equilibrium.decide.solver import Solver, prepare
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, chosen_contacts
-from equilibrium.model.rows import ContactRows
+from equilibrium.model.subject import points_of, rows_of
 from equilibrium.plane.states.contact_states import contact_states
 
-#: Coefficients above this are tried all at once only.
-LARGEST = 2**20
+#: Ends of ranges of coefficients; those above the last are tried all at once only.
+_ENDS = (0, *(2**k for k in range(21)))
 #: Of the bracket, if none is stated.
 TOLERANCE = Fraction(1, 2**20)
 #: Least width of the bracket: each halving takes one more search with longer numbers.
@@ -74,19 +75,7 @@ def least_friction(
     tolerance: Any = TOLERANCE,
     contacts: Iterable[int] | None = None,
 ) -> FrictionBracket:
-    """Bracket the least coefficient that, the same at chosen contacts, makes a wrench resisted.
-
-    Args:
-        grasp: or an assembly, with a wrench for each body.
-        tolerance: the wanted length of the bracket. It comes out longer where coefficients are
-            resisted only on a range shorter than this, or just missed by less than this.
-
-        contacts: numbers, from 1, of those whose coefficient is replaced; the others keep their
-            own. If omitted, all that have friction: smooth ones stay smooth.
-
-    Raises:
-        GraspError: a tolerance below 2^-100, or no such contact.
-        OutOfReachError: too many ranges of that length are neither refuted nor resisted.
+    """Bracket the least coefficient that makes a wrench resisted; see `Margin.friction`.
 
     Complexity: one exact linear program for each choice of contact states and each range that is
     looked at; after the first few ranges few states are left. Without any program where 0 is
@@ -114,12 +103,8 @@ def least_friction(
 
 def rough_contacts(grasp: Grasp | Assembly) -> tuple[int, ...]:
     """Return the numbers, from 1, of the contacts that have friction."""
-    pairs = (
-        [(k, c.contact) for k, c in enumerate(grasp.contacts, 1)]
-        if isinstance(grasp, Assembly)
-        else [(k, c) for k, points in enumerate(grasp.parts, 1) for c in points]
-    )
-    return tuple(sorted({k for k, contact in pairs if contact.friction}))
+    points, groups = points_of(grasp), enumerate(grasp.groups, 1)
+    return tuple(k for k, group in groups if any(points[i].friction for i in group))
 
 
 class _Search:
@@ -141,15 +126,15 @@ class _Search:
         if self.resists(Fraction(0)):
             return Fraction(0), Fraction(0)
         alive = None
-        for low, high in _ranges():
+        for low, high in pairwise(map(Fraction, _ENDS)):
             alive = self.possible(alive, low, None)
             if not alive:
                 return self.first_open, None
             enough = self.lowest(alive, low, high)
             if enough is not None:
                 return self.first_open, enough
-        if self.first_open is None and self.possible(alive, Fraction(LARGEST), None):
-            self.first_open = Fraction(LARGEST)
+        if self.first_open is None and self.possible(alive, high, None):
+            self.first_open = high
         return self.first_open, None
 
     def lowest(self, states: list[Any], low: Fraction, high: Fraction) -> Fraction | None:
@@ -187,8 +172,7 @@ class _Search:
             survivors = surviving_states(*question)
             return [] if survivors is None else [survivors]
         limits: Any = {"frictions": (low, high), "max_displacement": self.bound}
-        rows = ContactRows.of_grasp(self.subject)
-        ranged = LinearQuestion(rows, self.load, chosen=self.places, **limits)
+        ranged = LinearQuestion(rows_of(self.subject), self.load, chosen=self.places, **limits)
         listed = contact_states(self.subject) if states is None else states
         tried = watched(listed, "contact states")
         return [choice for choice in tried if ContactProgram(ranged, choice).feasible]
@@ -198,11 +182,3 @@ class _Search:
         changed = self.subject.with_friction(coefficient, self.chosen)
         verdict = Solver(changed, self.bound).solve(self.load)
         return verdict.decided and verdict.stable
-
-
-def _ranges() -> Iterator[tuple[Fraction, Fraction]]:
-    """Yield [0, 1], [1, 2], [2, 4], ... up to the largest coefficient."""
-    low, high = Fraction(0), Fraction(1)
-    while low < LARGEST:
-        yield low, high
-        low, high = high, 2 * high

@@ -7,21 +7,15 @@ states is exact, and it need not be one interval that starts at 0.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import chain
 from typing import Any
 
 from arrangement.console.number_form import JsonMixin, ReprMixin
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector
-from arrangement.numbers.linear.intervals import (
-    Interval,
-    common,
-    holds,
-    texts,
-    union,
-)
+from arrangement.numbers.linear.intervals import Interval, common, holds, texts, union
 from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contact_rows import sum_row
@@ -29,11 +23,11 @@ from equilibrium.decide.assemblies.magnitudes import magnitudes_by_states
 from equilibrium.decide.nearby import DEPENDS
 from equilibrium.decide.robustness import MAX_ROUNDINGS, met_within_error, others
 from equilibrium.decide.solver import Solver, prepare
+from equilibrium.decide.verdict import Verdict
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError, UndecidedError
-from equilibrium.model.rows import ContactRows
-from equilibrium.model.subject import Subject
-from equilibrium.plane.states.contact_states import states_of_code
+from equilibrium.model.subject import Subject, by_body, read_load, rows_of
+from equilibrium.plane.states.contact_states import Codes, states_of_code
 
 #: All magnitudes.
 ALL: Interval = (Fraction(0), None)
@@ -67,14 +61,7 @@ class Magnitudes(JsonMixin):
 def resisted_magnitudes(grasp: Subject | Solver, direction: Any, base: Any = None) -> Magnitudes:
     """Return the exact set of t >= 0 for which ``base + t direction`` is resisted.
 
-    Args:
-        grasp: in the plane, or an assembly, which takes a wrench for each body.
-        direction: of the wrench, ``(f_x, f_y, tau)``; not all zero.
-        base: a wrench that acts in any case; none if omitted.
-
-    Raises:
-        GraspError: a zero direction, a wrench of wrong length, or on what is no body.
-        UndecidedError: an assembly takes more nodes or steps than the limits allow.
+    See `ResistedSet.along`; the grasp is in the plane.
 
     Complexity: two small systems for each choice of contact states, in floating point with a proven
     error bound; for those that this leaves possible two exact linear programs. Of an assembly by a
@@ -95,17 +82,20 @@ def resisted_magnitudes(grasp: Subject | Solver, direction: Any, base: Any = Non
 
 def _of_grasp(solver: Solver, base: RationalVector, along: RationalVector) -> tuple[Interval, ...]:
     solver.choices.check_cost()
-    screen = solver.choices.screen
-    possible = screen.codes[screen.possible(base, along)].tolist()
-    rows, bound = ContactRows.of_grasp(solver.grasp), solver.max_displacement
-    question = LinearQuestion(rows, base, along, max_displacement=bound)
-    tried = map(states_of_code, watched(possible, "states"))
-    intervals = (ContactProgram(question, states).magnitudes() for states in tried)
-    parts = [part for part in intervals if part is not None]
+    screen, bound = solver.choices.screen, solver.max_displacement
+    question = LinearQuestion(rows_of(solver.grasp), base, along, max_displacement=bound)
+    parts = magnitudes_with(question, screen.codes[screen.possible(base, along)])
     # The screen speaks of t > 0 only.
     if not any(low == 0 for low, _ in parts) and solver.solve(base).stable:
         parts.append((Fraction(0), Fraction(0)))
     return union(parts)
+
+
+def magnitudes_with(question: LinearQuestion, codes: Codes) -> list[Interval]:
+    """Return the magnitudes with a solution of each choice of contact states that has some."""
+    choices = map(states_of_code, watched(codes.tolist(), "contact states"))
+    intervals = (ContactProgram(question, states).magnitudes() for states in choices)
+    return [part for part in intervals if part is not None]
 
 
 def _of_assembly(solver: Solver, base: Wrenches, along: Wrenches) -> tuple[Interval, ...]:
@@ -151,47 +141,30 @@ def ends_within_error(solver: Solver, magnitudes: Magnitudes) -> RoundedEnds | N
     """
     if solver.grasp.data_error is None:
         return None
+    line = magnitudes.direction, magnitudes.base
+    along, base = (read_load(solver.grasp, wrench) for wrench in line)
+
+    def verdict_at(t: Fraction) -> Verdict:
+        return solver.solve(by_body(solver.grasp, sum_row(base, along, t)))
+
     low, high = magnitudes.intervals[-1] if magnitudes.intervals else (Fraction(0), None)
     end = (low or Fraction(0)) + 1 if high is None else high
-    verdict: Any = solver.solve(_load_at(magnitudes, end))
-    ends, breaking = [_ends(magnitudes.intervals)], range(0)
+    verdict = verdict_at(end)
+    ends, breaking = [[*chain(*magnitudes.intervals)]], range(0)
     asked = [*others(verdict)]
     if verdict.decided and verdict.stable:
         breaking = range(MAX_ROUNDINGS, 0 if solver.grasp.data_error.as_given else len(asked))
-        asked += met_within_error(solver.solve(_load_at(magnitudes, end + 1)))
+        asked += met_within_error(verdict_at(end + 1))
     for k, subject in enumerate(asked):
-        other = _magnitudes_of(subject, solver, magnitudes)
-        if other is None:
+        try:
+            other = resisted_magnitudes(Solver(subject, solver.max_displacement), *line).intervals
+        except UndecidedError:
             continue
         if k in breaking:
             other = common(other, magnitudes.intervals)
-        ends.append(_ends(other))
+        ends.append([*chain(*other)])
         if [end is None for end in ends[0]] != [end is None for end in ends[-1]]:
             return RoundedEnds(len(ends) - 1, (), other)
-    known = zip(*ends, strict=True)
-    pairs = (None if None in column else (min(column), max(column)) for column in known)
+    columns: Any = zip(*ends, strict=True)
+    pairs = (None if None in column else (min(column), max(column)) for column in columns)
     return RoundedEnds(len(ends) - 1, tuple(pairs))
-
-
-def _load_at(magnitudes: Magnitudes, t: Fraction) -> Any:
-    """Return the load at a magnitude; of an assembly one for each body."""
-    base: Any = magnitudes.base
-    along: Any = magnitudes.direction
-    if isinstance(base, dict):
-        return {name: sum_row(base[name], along[name], t) for name in base}
-    return sum_row(base, along, t)
-
-
-def _magnitudes_of(
-    subject: Subject, solver: Solver, magnitudes: Magnitudes
-) -> tuple[Interval, ...] | None:
-    """Return the magnitudes that another grasp or assembly resists; None where undecided."""
-    other, along = Solver(subject, solver.max_displacement), magnitudes.direction
-    try:
-        return resisted_magnitudes(other, along, magnitudes.base).intervals
-    except UndecidedError:
-        return None
-
-
-def _ends(parts: Iterable[Interval]) -> list[Any]:
-    return [end for part in parts for end in part]

@@ -16,11 +16,9 @@ from functools import cached_property
 from typing import Any
 
 from arrangement.console.number_form import LABEL, JsonMixin
-from arrangement.console.progress import watched
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.linear.intervals import Interval, common, holds, union
-from equilibrium.core.contact_program import ContactProgram
 from equilibrium.core.contact_rows import negated
 from equilibrium.decide.assemblies.ends import ends_of
 from equilibrium.decide.assemblies.magnitudes import magnitudes_by_states, part_questions
@@ -28,11 +26,10 @@ from equilibrium.decide.solver import Solver, prepare
 from equilibrium.decide.state_choices import StateChoices
 from equilibrium.model.assembly import Assembly, Wrenches
 from equilibrium.model.errors import GraspError, UndecidedError
-from equilibrium.model.grasp import Grasp, chosen_contacts, read_wrench
-from equilibrium.plane.states.contact_states import states_of_code
+from equilibrium.model.grasp import Grasp, chosen_contacts
 
 from .friction import TOLERANCE, FrictionBracket, least_friction
-from .line import ALL, Magnitudes, resisted_magnitudes
+from .line import ALL, Magnitudes, magnitudes_with, resisted_magnitudes
 
 
 @dataclass(frozen=True, repr=False)
@@ -92,9 +89,14 @@ class Margin(JsonMixin):
         Contacts of friction 0 stay smooth.
 
         Args:
-            tolerance: the wanted length of the bracket; see `least_friction`.
+            tolerance: the wanted length of the bracket. It comes out longer where coefficients are
+                resisted only on a range shorter than this, or just missed by less than this.
             contacts: numbers, from 1, of those that get the coefficient, smooth ones too; the
                 others keep their own.
+
+        Raises:
+            GraspError: a tolerance below 2^-100, or no such contact.
+            OutOfReachError: too many ranges of that length are neither refuted nor resisted.
         """
         return least_friction(self._solver, self.wrench, tolerance, contacts)
 
@@ -106,10 +108,7 @@ _QUERIES = 6
 
 
 def margin(grasp: Grasp | Solver, wrench: Any) -> Margin:
-    """Return the exact factors by which a wrench, or those on all bodies, may be scaled.
-
-    Raises:
-        OutOfReachError: too many choices of contact states, for its preloads and friction, too.
+    """Return the exact factors by which a wrench may be scaled; see `ResistedSet.margin`.
 
     >>> from equilibrium import read_grasp
     >>> margin(read_grasp("paper-three-contacts-preload-1"), [0, "1/2", 0]).around
@@ -188,26 +187,20 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
     >>> sufficient_preloads(read_grasp("paper-three-contacts"), [0, 3, 0]).least
     Fraction(3, 1)
     """
-    w, bound = read_wrench(wrench), prepare(grasp).max_displacement
-    scaled = prepare(grasp).grasp
-    unloaded, loaded = (scaled.with_preload(p) for p in (0, 1))
-    held = Solver(unloaded, bound).solve(w).stable
+    solver = prepare(grasp)
+    w, bound = solver.read(wrench), solver.max_displacement
+    bare, loaded = (solver.grasp.with_preload(p) for p in (0, 1))
+    held = Solver(bare, bound).solve(w).stable
     parts: list[Interval] = [(Fraction(0), Fraction(0))] if held else []
     # Without a range a preload of p resists a load, with the adhesion, where one of 1 resists the
     # load over p.
-    screen = StateChoices(loaded).screen
-    load, none = scaled.total_load(w), negated(scaled.adhesion_wrench)
+    screen, load = StateChoices(loaded).screen, bare.total_load(w)
+    none = negated(bare.adhesion_wrench)
     possible = screen.possible(none, load) if any(load) else screen.possible(w)
-    tried = watched(screen.codes[possible].tolist(), "contact states")
-    numbers = tuple(scaled.contact_numbers)
-    bare, still = scaled.with_preload(0), (Fraction(0),) * 3
     changes: Any = {"preload_slope": Fraction(1), "max_displacement": bound}
-    ((_, question),) = part_questions(bare, w, still, **changes)
-    intervals = (
-        ContactProgram(question, states).magnitudes() for states in map(states_of_code, tried)
-    )
-    parts += [part for part in intervals if part is not None]
-    return Preloads((w,), numbers, union(parts))
+    ((_, question),) = part_questions(bare, w, solver.no_wrench, **changes)
+    parts += magnitudes_with(question, screen.codes[possible])
+    return Preloads((w,), tuple(bare.contact_numbers), union(parts))
 
 
 def chosen_preloads(
@@ -215,19 +208,10 @@ def chosen_preloads(
     wrenches: Iterable[Any],
     contacts: Iterable[int] | None = None,
 ) -> Preloads:
-    """Return all p >= 0 with which chosen contacts make a grasp resist every wrench, exactly.
+    """Return all p >= 0 with which chosen contacts resist every wrench; see `ResistedSet.preloads`.
 
-    Each chosen contact has the preload p, a pad in all, and the others keep their own. On each
-    choice of contact states the p that resist a wrench are one interval, so a tree of states finds
-    them all.
-
-    Args:
-        wrenches: of an assembly each is a wrench for each body.
-        contacts: their numbers, from 1; None for all.
-
-    Raises:
-        GraspError: no wrench, or no such contact.
-        UndecidedError: the tree takes more nodes or steps than the limits allow.
+    Each chosen contact has the preload p, a pad in all. On each choice of contact states the p that
+    resist a wrench are one interval, so a tree of states finds them all.
 
     >>> from equilibrium import read_grasp
     >>> grasp = read_grasp("paper-four-contacts-preload-1")

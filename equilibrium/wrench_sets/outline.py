@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
@@ -20,7 +21,7 @@ from arrangement.numbers.exact import IntegerVector, RationalVector, dot, to_tex
 from arrangement.numbers.linear.intervals import Interval, is_long, remainder, union
 from arrangement.numbers.linear.polyhedron import Polyhedron
 from equilibrium.core.contact_rows import negated
-from equilibrium.wrench_sets.separation import possibly_meeting, sides
+from equilibrium.wrench_sets.separation import both_ways, possibly_meeting, sides
 
 
 @dataclass(frozen=True)
@@ -47,9 +48,12 @@ class Segment:
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form; null means unbounded."""
         return {
-            "start": _point_text(self.start),
-            "end": _point_text(self.end),
-            "direction": [to_text(x) for x in self.direction],
+            name: None if point is None else list(map(to_text, point))
+            for name, point in (
+                ("start", self.start),
+                ("end", self.end),
+                ("direction", self.direction),
+            )
         }
 
 
@@ -86,48 +90,51 @@ def outline_of(polygons: Sequence[Polyhedron]) -> Outline:
 
 def _border(solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     """Yield the parts of edges with nothing of the union on their other side."""
-    edges: dict[IntegerVector, dict[frozenset[IntegerVector], Polyhedron]] = {}
+    edges = outer_facets(solid)
+    triples = zip(*zip(*edges, strict=True), polygons_near(edges, solid), strict=True)
+    for row, carrying, near in watched(triples, "lines", len(edges)):
+        yield from _segments(row, carrying, [p for p in near if row not in p.inequalities])
+
+
+def outer_facets(solid: Iterable[Polyhedron]) -> list[tuple[IntegerVector, list[Polyhedron]]]:
+    """Return the conditions of facets without the same facet behind, each with their polyhedra.
+
+    A facet with a polyhedron on either side is inside a union, and most are.
+    """
+    facets: dict[IntegerVector, dict[frozenset[IntegerVector], Polyhedron]] = {}
     for p in solid:
         for row in p.inequalities:
-            edges.setdefault(row, {})[frozenset(tight(row, p))] = p
-    # An edge with a polygon on either side is inside, and most are.
-    alone = {
-        row: [p for ends, p in edges[row].items() if ends not in edges.get(negated(row), ())]
-        for row in sorted(edges)
-    }
-    rows = [row for row in alone if alone[row]]
-    carriers = [alone[row] for row in rows]
-    triples = zip(rows, carriers, polygons_near(rows, carriers, solid), strict=True)
-    for row, carrying, near in watched(triples, "lines", len(rows)):
-        line = _Line(row)
-        covered = [line.part(p) for p in near if row not in p.inequalities]
-        yield from line.segments([line.part(p) for p in carrying], covered)
+            facets.setdefault(row, {})[frozenset(tight(row, p))] = p
+    outer = []
+    for row in sorted(facets):
+        behind = facets.get(negated(row), ())
+        if alone := [p for ends, p in facets[row].items() if ends not in behind]:
+            outer.append((row, alone))
+    return outer
 
 
 def _dangling_edges(thin: Sequence[Polyhedron], solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     """Yield the parts of flat polygons outside the two-dimensional part."""
-    rows = sorted({max(p.equalities[0], negated(p.equalities[0])) for p in thin})
-    carriers = [[p for p in thin if p.equalities[0] in (row, negated(row))] for row in rows]
-    for row, edges, near in zip(rows, carriers, polygons_near(rows, carriers, solid), strict=True):
-        line = _Line(row)
-        yield from line.segments([line.part(p) for p in edges], [line.part(p) for p in near])
+    lines: dict[IntegerVector, list[Polyhedron]] = {}
+    for p in thin:
+        lines.setdefault(max(p.equalities[0], negated(p.equalities[0])), []).append(p)
+    edges = sorted(lines.items(), key=itemgetter(0))
+    for (row, carrying), near in zip(edges, polygons_near(edges, solid), strict=True):
+        yield from _segments(row, carrying, near)
 
 
 def polygons_near(
-    rows: Sequence[IntegerVector],
-    carriers: Sequence[Sequence[Polyhedron]],
-    solid: Sequence[Polyhedron],
+    edges: Sequence[tuple[IntegerVector, Sequence[Polyhedron]]], solid: Sequence[Polyhedron]
 ) -> Iterator[list[Polyhedron]]:
     """Yield for each line the polygons that may cover a part of its edges.
 
     Args:
-        carriers: for each line the polygons with an edge in it, or that lie in it.
+        edges: each line with the polygons that have an edge in it, or lie in it.
     """
-    above, below = sides(rows, solid)
-    edges = [tight(row, p) for row, carrying in zip(rows, carriers, strict=True) for p in carrying]
-    meeting = possibly_meeting(edges, solid)
+    above, below = sides([row for row, _ in edges], solid)
+    meeting = possibly_meeting([tight(row, p) for row, carrying in edges for p in carrying], solid)
     start = 0
-    for i, carrying in enumerate(carriers):
+    for i, (_, carrying) in enumerate(edges):
         near = meeting[start : start + len(carrying)].any(axis=0) & ~above[i] & ~below[i]
         start += len(carrying)
         yield [solid[j] for j in np.flatnonzero(near).tolist()]
@@ -136,45 +143,30 @@ def polygons_near(
 def tight(row: IntegerVector, polygon: Polyhedron) -> list[IntegerVector]:
     """Return the homogeneous generators of the part of a polygon in a line at its boundary."""
     rays, lines = polygon.homogeneous
-    within = [x for x in rays if dot(row, x) == 0]
-    return [*within, *(x for y in lines if dot(row, y) == 0 for x in (y, negated(y)))]
+    return both_ways(*([x for x in part if dot(row, x) == 0] for part in (rays, lines)))
 
 
-class _Line:
-    """An oriented line ``normal . x + constant = 0`` with a parameter along it.
+def _segments(
+    row: IntegerVector, edges: Iterable[Polyhedron], covering: Iterable[Polyhedron]
+) -> Iterator[Segment]:
+    """Yield what is left of edges in a line after the parts in other polygons are taken away.
 
-    The point of parameter s is ``(-constant normal + s direction) / |normal|^2``, so that all
-    coefficients stay integers.
+    The point of parameter s of the line ``normal . x + constant = 0`` is ``(-constant normal + s
+    direction) / |normal|^2``, so that all coefficients stay integers.
     """
+    (*normal, constant), square = row, dot(row[:2], row[:2])
+    base, along = tuple(-constant * x for x in normal), (normal[1], -normal[0])
 
-    def __init__(self, row: IntegerVector) -> None:
-        self.normal, self.constant = row[:2], row[2]
-        self.square = dot(self.normal, self.normal)
-        self.base = tuple(-self.constant * x for x in self.normal)
-        self.direction = (self.normal[1], -self.normal[0])
+    def parts(polygons: Iterable[Polyhedron]) -> list[Interval]:
+        intervals = (p.along_homogeneous((*base, square), (*along, 0)) for p in polygons)
+        return [part for part in intervals if part is not None and is_long(part)]
 
-    def part(self, polygon: Polyhedron) -> Interval | None:
-        """Return the part of the line in a polygon."""
-        return polygon.along_homogeneous((*self.base, self.square), (*self.direction, 0))
-
-    def segments(
-        self, edges: Iterable[Interval | None], covered: Iterable[Interval | None]
-    ) -> list[Segment]:
-        """Return what is left of the edges after the covered parts are taken away."""
-        cover = [part for part in covered if part is not None and is_long(part)]
-        whole = union(part for part in edges if part is not None and is_long(part))
-        left = (rest for part in whole for rest in remainder(part, cover))
-        return [
-            Segment(self.normal, self.constant, self._point(low), self._point(high))
-            for low, high in left
-        ]
-
-    def _point(self, parameter: Fraction | None) -> RationalVector | None:
-        if parameter is None:
+    def point(s: Fraction | None) -> RationalVector | None:
+        if s is None:
             return None
-        pairs = zip(self.base, self.direction, strict=True)
-        return tuple((b + parameter * u) / self.square for b, u in pairs)
+        return tuple((b + s * u) / square for b, u in zip(base, along, strict=True))
 
-
-def _point_text(point: RationalVector | None) -> list[str] | None:
-    return None if point is None else [to_text(x) for x in point]
+    cover = parts(covering)
+    for whole in union(parts(edges)):
+        for low, high in remainder(whole, cover):
+            yield Segment(row[:2], constant, point(low), point(high))

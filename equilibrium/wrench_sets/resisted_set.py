@@ -25,12 +25,7 @@ from equilibrium.model.synonyms import NAMES
 
 from .any_direction import SmallestUnresisted, smallest_unresisted_wrench
 from .best_direction import BestDirection, best_direction
-from .line import (
-    Magnitudes,
-    RoundedEnds,
-    ends_within_error,
-    resisted_magnitudes,
-)
+from .line import Magnitudes, RoundedEnds, ends_within_error, resisted_magnitudes
 from .loads import CheckedLoads, check_loads
 from .margin import Margin, Preloads, chosen_preloads, margin
 from .polyhedra import Piece, resisted_pieces
@@ -210,8 +205,10 @@ class ResistedSet(JsonMixin):
             base: a wrench that acts in any case; 0: none.
 
         Raises:
-            GraspError: a zero direction, a wrench of wrong length, or friction pyramids.
+            GraspError: a zero direction, a wrench of wrong length or on what is no body, or
+                friction pyramids.
             OutOfReachError: too many choices of contact states.
+            UndecidedError: an assembly takes more nodes or steps than the limits allow.
         """
         start: Any = self._load(base)
         if isinstance(self._solver.grasp, Assembly) or self._solver.grasp.dimension == 2:
@@ -287,6 +284,9 @@ class ResistedSet(JsonMixin):
         """Return the exact factors by which a wrench may be scaled; of an assembly, all wrenches.
 
         Its `Margin.preloads` and `Margin.friction` are what would resist the wrench.
+
+        Raises:
+            OutOfReachError: too many choices of contact states, for preloads and friction, too.
         """
         return margin(self._solver, wrench)
 
@@ -294,7 +294,8 @@ class ResistedSet(JsonMixin):
         """Return the preloads of chosen contacts with which every one of some wrenches is resisted.
 
         Args:
-            wrenches: all are to be resisted, one at a time.
+            wrenches: all are to be resisted, one at a time; of an assembly each is a wrench for
+                each body.
             contacts: numbers, from 1, of those that get one preload p; the others keep their own.
                 All contacts, if omitted.
 
@@ -324,9 +325,7 @@ class ResistedSet(JsonMixin):
         bound, pyramid, grasp = self.max_displacement, self.pyramid, self._of_grasp().grasp
         return tuple(
             ResistedSet(
-                replace(grasp, contacts=(*grasp, *points)),
-                max_displacement=bound,
-                pyramid=pyramid,
+                replace(grasp, contacts=(*grasp, *points)), max_displacement=bound, pyramid=pyramid
             )
             for points in Grasp(candidates).parts
         )
@@ -378,7 +377,8 @@ class ResistedSet(JsonMixin):
             max_magnitude: the largest magnitude tried.
 
         Raises:
-            GraspError: an argument that is not above 0.
+            GraspError: an argument that is not above 0, or a tolerance that is too small a share of
+                the magnitude.
         """
         return search_map(self._of_grasp(), rays, tolerance, max_magnitude)
 

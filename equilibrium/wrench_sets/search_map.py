@@ -91,19 +91,10 @@ def search_map(
     max_magnitude: Any = 1000,
     spans: Sequence[Iterable[Any]] = FORCES,
 ) -> SearchMap:
-    """Return the map by binary search in evenly spaced directions, beside the exact sets.
+    """Return the map by binary search, in directions from the first span on: `ResistedSet.search`.
 
     Directions are exactly unit rational vectors within 10^-6 (radians) of evenly spaced ones, so
     every verdict in the search is about an exact wrench.
-
-    Args:
-        rays: how many directions, starting with the first span, counter-clockwise.
-        tolerance: the searches end when the answer is known to within this.
-        max_magnitude: the largest magnitude tried.
-
-    Raises:
-        GraspError: a number of rays, tolerance or magnitude that is not positive, or a tolerance
-            that is too small a share of the magnitude.
 
     Source: [HaasHeger2018], Section VI, the maps of resisted forces.
     """

@@ -14,6 +14,7 @@ import numpy as np
 from arrangement.numbers.exact import IntegerVector
 from arrangement.numbers.float_filter import Booleans, Floats, error_bound, scale_rows
 from arrangement.numbers.linear.polyhedron import Polyhedron
+from equilibrium.core.contact_rows import negated
 
 #: A value below this is truly negative. A scalar product has at most `_TERMS` terms, each at most 1
 #: in size, of two rounded factors; so `error_bound` is also a bound of its error, up to the factor
@@ -31,7 +32,7 @@ def surely_outside(shapes: Sequence[Polyhedron]) -> Booleans:
 
     The mean of all generators is asked first: where it is outside, some generator is.
     """
-    points, starts = _stack([_both_ways(*shape.homogeneous) for shape in shapes])
+    points, starts = _stack([both_ways(*shape.homogeneous) for shape in shapes])
     counts = np.diff([*starts, len(points)])
     means = np.add.reduceat(points, starts) / counts[:, None] if len(shapes) else points
     rows, firsts = _conditions(shapes)
@@ -75,7 +76,7 @@ def sides(
     """Return for each row and polygon whether the row is surely positive, or negative, on it."""
     above, below = np.zeros((2, len(rows), len(polygons)), dtype=np.bool_)
     if polygons:
-        points, starts = _stack([_both_ways(*polygon.homogeneous) for polygon in polygons])
+        points, starts = _stack([both_ways(*polygon.homogeneous) for polygon in polygons])
         for start in range(0, len(rows), _POINTS_AT_ONCE):
             values = scale_rows(rows[start : start + _POINTS_AT_ONCE])[0] @ points.T
             part = slice(start, start + _POINTS_AT_ONCE)
@@ -88,7 +89,7 @@ def _conditions(shapes: Sequence[Polyhedron]) -> tuple[Floats, list[int]]:
     """Return the conditions of all shapes, each with one at least, and the first of each shape."""
     return _stack(
         [
-            _both_ways(shape.inequalities, shape.equalities) or [(*[0] * len(shape.points[0]), 1)]
+            both_ways(shape.inequalities, shape.equalities) or [(*[0] * len(shape.points[0]), 1)]
             for shape in shapes
         ]
     )
@@ -105,8 +106,6 @@ def _stack(groups: Sequence[Sequence[IntegerVector]]) -> tuple[Floats, list[int]
     return scale_rows([vector for group in groups for vector in group])[0], starts
 
 
-def _both_ways(
-    once: Iterable[IntegerVector], twice: Iterable[IntegerVector]
-) -> list[IntegerVector]:
+def both_ways(once: Iterable[IntegerVector], twice: Iterable[IntegerVector]) -> list[IntegerVector]:
     """Return the vectors of the first kind, and those of the second with both signs."""
-    return [*once, *(x for y in twice for x in (y, tuple(-entry for entry in y)))]
+    return [*once, *(x for y in twice for x in (y, negated(y)))]

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import count
 from typing import Any
 
 from arrangement.console.number_form import ReprMixin
@@ -89,23 +90,15 @@ def sectors(
     flags = [member(stop) for stop in stops]
     if all(flags):
         return (Sector((1, 0), (1, 0), whole=True),)
-    runs = [(i, _run_end(flags, i)) for i in range(len(flags)) if flags[i] and not flags[i - 1]]
-    return tuple(_sector(stops, first, last) for first, last in runs)
-
-
-def _sector(stops: Sequence[IntegerVector], first: int, last: int) -> Sector:
-    """Return the sector of a run of stops; a run that starts or ends between corners is open."""
-    open_start, open_end = first % 2 == 1, last % 2 == 1
-    start, end = stops[first - open_start], stops[(last + open_end) % len(stops)]
-    return Sector(start, end, not open_start, not open_end)
-
-
-def _run_end(flags: Sequence[bool], first: int) -> int:
-    """Return the last index, cyclic, of the run of true flags that starts at `first`."""
-    last = first
-    while flags[(last + 1) % len(flags)]:
-        last = (last + 1) % len(flags)
-    return last
+    runs = []
+    for first, flag in enumerate(flags):
+        if flag and not flags[first - 1]:
+            last = next(k for k in count(first) if not flags[(k + 1) % len(flags)]) % len(flags)
+            # A run that starts or ends between corners is open.
+            open_start, open_end = first % 2, last % 2
+            ends_of_run = stops[first - open_start], stops[(last + open_end) % len(stops)]
+            runs.append(Sector(*ends_of_run, not open_start, not open_end))
+    return tuple(runs)
 
 
 def _angle(direction: IntegerVector) -> tuple[int, Fraction]:
@@ -171,10 +164,16 @@ class Region(ReprMixin):
         """Return a JSON form; numbers are strings of rationals, null means unbounded."""
         return {
             "plane": {
-                "origin": [to_text(x) for x in self.origin],
-                "spans": [[to_text(x) for x in span] for span in self.spans],
+                "origin": list(map(to_text, self.origin)),
+                "spans": [list(map(to_text, span)) for span in self.spans],
             },
-            "polygons": [_polygon_dict(piece) for piece in self.polygons],
+            "polygons": [
+                {
+                    **piece.to_dict(),
+                    "points": [list(map(to_text, p)) for p in polygon_cycle(piece.polyhedron)],
+                }
+                for piece in self.polygons
+            ],
             "outline": self.outline.to_dict(),
             "unlimited": [sector.to_dict() for sector in self.unlimited],
         }
@@ -237,12 +236,3 @@ def polygon_cycle(polygon: Polyhedron) -> tuple[RationalVector, ...]:
         lowest = corners.index(min(corners, key=lambda p: p[::-1]))
         corners = [*corners[lowest + 1 :], *corners[: lowest + 1]]
     return tuple(corners)
-
-
-def _polygon_dict(piece: Piece) -> dict[str, Any]:
-    """Return the JSON form of a polygon, its vertices counter-clockwise."""
-    shape = piece.polyhedron
-    return {
-        **piece.to_dict(),
-        "points": [[to_text(x) for x in p] for p in polygon_cycle(shape)],
-    }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
+from functools import partial
 from itertools import groupby
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -24,7 +25,6 @@ from .best_direction import BestDirection, angle
 from .friction import TOLERANCE, rough_contacts
 from .line import Magnitudes
 from .margin import Margin, Preloads
-from .outline import Segment
 from .parameter import ResistedValues
 from .resisted_set import ResistedSet
 from .search_map import SearchMap
@@ -257,13 +257,13 @@ def _or_undecided(
 
 def _smallest_lines(smallest: SmallestUnresisted, unit: str) -> Iterator[str]:
     load = "with the base, " if any(smallest.base) else ""
-    if smallest.size is None or smallest.wrench is None or smallest.beyond is None:
+    square = smallest.size_squared
+    if square is None or smallest.wrench is None or smallest.beyond is None:
         yield f"{load}every wrench is resisted, whichever way it points and however large it is"
         return
-    if smallest.size_squared:
-        exact = smallest.size**2 == smallest.size_squared
-        size = number(smallest.size) if exact else number_text(smallest.size, longest=0)
-        squared = "" if exact else f" (its square is {number(smallest.size_squared)})"
+    if square:
+        size, exact = _root_text(square)
+        squared = "" if exact else f" (its square is {number(square)})"
         yield f"{load}every wrench smaller than {size}{unit}{squared} is resisted"
         length = f"length {number(smallest.length)} (--torque-length)"
         yield f"  where size^2 = f_x^2 + f_y^2 + (tau / length)^2, {length}"
@@ -289,13 +289,17 @@ def _direction_lines(best: BestDirection, unit: str) -> Iterator[str]:
 
 def _size_text(force: RationalVector, unit: str) -> str:
     """Return size, direction and components of a force."""
-    square = dot(force, force)
-    size = root(square)
-    if not square:
+    if not any(force):
         return "0: the load alone is on the boundary, or not resisted"
+    size, _ = _root_text(dot(force, force))
+    return f"{size}{unit} at {angle(force):.4g} degrees from the x axis: {vector(force)}"
+
+
+def _root_text(square: Fraction) -> tuple[str, bool]:
+    """Return a square root as text, and whether it is exact."""
+    size = root(square)
     exact = size**2 == square
-    words = number(size) if exact else number_text(size, longest=0)
-    return f"{words}{unit} at {angle(force):.4g} degrees from the x axis: {vector(force)}"
+    return number(size) if exact else number_text(size, longest=0), exact
 
 
 def _region_lines(region: Region, _: str) -> Iterator[str]:
@@ -309,7 +313,11 @@ def _region_lines(region: Region, _: str) -> Iterator[str]:
         yield f"  {' '.join(piece.states)}: {'; '.join(parts)}"
     outline = region.outline
     for name, segments in (("boundary", outline.border), ("whisker", outline.whiskers)):
-        yield from (f"{name} {_segment(segment)}" for segment in segments)
+        for segment in segments:
+            start, end = (
+                "unbounded" if x is None else vector(x) for x in (segment.start, segment.end)
+            )
+            yield f"{name} {start} to {end}, direction {vector(segment.direction)}"
     yield from (f"point {vector(point)}" for point in outline.points)
     for sector in region.unlimited:
         ends = f"from {vector(sector.start)} counter-clockwise to {vector(sector.end)}"
@@ -346,11 +354,7 @@ def _friction_lines(answer: SufficientFriction, unit: str) -> Iterator[str]:
         yield from _values_lines(answer.up_to_1, unit)
         return
     yield "no friction f up to 1 is proved to be enough"
-    for verdict, spans in (("resisted", above.resisted), ("not resisted", above.not_resisted)):
-        for span in reversed(spans):
-            yield f"{verdict} for {_inverse_text(span)}"
-        if not spans:
-            yield f"no f above 1 is proved to be {verdict}"
+    yield from _proved_lines(above, _inverse_text, "f above 1", -1)
     for gap in reversed(above.gaps):
         yield f"undecided for {_inverse_text(Span(*gap, has_low=False, has_high=False))}"
     for end in above.ends:
@@ -361,35 +365,37 @@ def _friction_lines(answer: SufficientFriction, unit: str) -> Iterator[str]:
 
 def _inverse_text(span: Span) -> str:
     """Return the values f of which 1/f is in an interval, as inequalities; 1/f = 0 is none."""
-    low, high = "<=" if span.has_high else "<", "<=" if span.has_low else "<"
     if not span.low:
         return f"f {'>=' if span.has_high else '>'} {number(1 / span.high)}"
-    if span.low == span.high:
-        return f"f = {number(1 / span.low)}"
-    return f"{number(1 / span.high)} {low} f {high} {number(1 / span.low)}"
+    turned = Span(1 / span.high, 1 / span.low, span.has_high, span.has_low)
+    return _inequalities(turned, "f", number)
 
 
 def _values_lines(answer: ResistedValues, _: str) -> Iterator[str]:
-    for verdict, spans in (("resisted", answer.resisted), ("not resisted", answer.not_resisted)):
-        for span in spans:
-            yield f"{verdict} for {_span_text(answer, span)}"
-        if not spans:
-            yield f"no value is proved to be {verdict}"
+    letter, text = answer.family.letter, partial(_letter_text, answer)
+    yield from _proved_lines(answer, lambda span: _inequalities(span, letter, text), "value", 1)
     ends = [end for end in answer.ends if end.gap.high - end.gap.low <= answer.tolerance]
     for gap in answer.gaps:
         if gap not in (end.gap for end in ends):
             yield f"undecided {_gap_text(answer, gap)}"
     for end in ends:
         exact = end.gap.low == end.gap.high
-        place = (
-            f"{_letter_text(answer, end.value)} exactly" if exact else _gap_text(answer, end.gap)
-        )
-        yield f"the end is {place}"
+        yield f"the end is {f'{text(end.value)} exactly' if exact else _gap_text(answer, end.gap)}"
         if end.gives:
-            yield f"  in all equilibria at {_letter_text(answer, end.value)}: {end.gives.words}"
+            yield f"  in all equilibria at {text(end.value)}: {end.gives.words}"
     if answer.family.is_angle:
-        yield f"degrees are rounded; certificates are about tan({answer.family.letter}/2)"
+        yield f"degrees are rounded; certificates are about tan({letter}/2)"
     yield _proof_count(answer)
+
+
+def _proved_lines(
+    answer: ResistedValues, text: Callable[[Span], str], name: str, order: int
+) -> Iterator[str]:
+    """Yield for which values each verdict is proved, in the order of the values or against it."""
+    for verdict, spans in (("resisted", answer.resisted), ("not resisted", answer.not_resisted)):
+        yield from (f"{verdict} for {text(span)}" for span in spans[::order])
+        if not spans:
+            yield f"no {name} is proved to be {verdict}"
 
 
 def _proof_count(answer: ResistedValues) -> str:
@@ -423,15 +429,12 @@ def answer_of(result: Any, subject: Grasp | None = None) -> Answer:
     return Answer(result.to_dict(), lines(result, unit), says_yes(result))
 
 
-def _span_text(answer: ResistedValues, span: Span) -> str:
+def _inequalities(span: Span, letter: str, text: Callable[[Fraction], str]) -> str:
     """Return an interval as inequalities."""
-    letter = answer.family.letter
     if span.low == span.high:
-        return f"{letter} = {_letter_text(answer, span.low)}"
-    low, high = "<=" if span.has_low else "<", "<=" if span.has_high else "<"
-    return (
-        f"{_letter_text(answer, span.low)} {low} {letter} {high} {_letter_text(answer, span.high)}"
-    )
+        return f"{letter} = {text(span.low)}"
+    low, high = ("<=" if has else "<" for has in (span.has_low, span.has_high))
+    return f"{text(span.low)} {low} {letter} {high} {text(span.high)}"
 
 
 def _letter_text(answer: ResistedValues, value: Fraction) -> str:
@@ -461,12 +464,6 @@ def _friction(low: Fraction | None, high: Fraction | None) -> str:
     if high is None:
         return f"not below {number(low)}; undecided above"
     return _between(low, high)
-
-
-def _segment(segment: Segment) -> str:
-    start = "unbounded" if segment.start is None else vector(segment.start)
-    end = "unbounded" if segment.end is None else vector(segment.end)
-    return f"{start} to {end}, direction {vector(segment.direction)}"
 
 
 def _points(points: Iterable[Iterable[Fraction | int]]) -> str:

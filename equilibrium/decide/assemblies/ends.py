@@ -23,7 +23,6 @@ from arrangement.numbers.exact import dot
 from arrangement.numbers.linear.intervals import Interval
 from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.core.contact_program import ContactProgram
-from equilibrium.model.contact import Contact
 from equilibrium.model.effort import Effort
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.subject import Subject, no_load
@@ -79,18 +78,6 @@ def listed_contacts(numbers: Iterable[int]) -> str:
     return f"contact{'s' * (len(listed) > 1)} {', '.join(map(str, listed))}"
 
 
-class _Loaded(NamedTuple):
-    """What all equilibria of a set have in common, for each point.
-
-    Attributes:
-        unloaded: it has no force in any.
-        at_limit: it is at its friction limit in all; a smooth one is not.
-    """
-
-    unloaded: list[bool]
-    at_limit: list[bool]
-
-
 class _PartQuestion(NamedTuple):
     """What is asked about one part.
 
@@ -124,10 +111,14 @@ def ends_of(
     """
     changes = {"max_displacement": max_displacement, **preloads}
     parts = list(_parts(subject, base, along, changes))
+
+    def at(end: Fraction, way: int) -> Giving | None:
+        return _together((x, what_gives(x.question, x.groups, end, way)) for x in parts)
+
     return tuple(
         (
-            _given_by_parts(parts, low, -1) if low and low != high else None,
-            None if high is None else _given_by_parts(parts, high, 1),
+            at(low, -1) if low and low != high else None,
+            None if high is None else at(high, 1),
         )
         for low, high in intervals
     )
@@ -138,7 +129,7 @@ def _parts(
 ) -> Iterator[_PartQuestion]:
     for part, question in part_questions(subject, base, along, **changes):
         if isinstance(subject, Grasp):
-            places = [_along_pad(contact) for contact in subject]
+            places = [dot(c.tangential_wrench[:2], c.point) for c in subject]  # along a pad
             groups = [sorted(points, key=places.__getitem__) for points in subject.groups]
             yield _PartQuestion(question, groups, subject.contact_numbers)
         elif part is not None:
@@ -146,18 +137,13 @@ def _parts(
             yield _PartQuestion(question, [[k] for k in range(len(numbers))], numbers)
 
 
-def _along_pad(contact: Contact) -> Fraction:
-    return Fraction(dot(contact.tangential_wrench[:2], contact.point))
-
-
-def _given_by_parts(parts: Iterable[_PartQuestion], end: Fraction, way: int) -> Giving | None:
-    """Return what gives at an end of the common magnitudes of all parts; None if unknown."""
-    together: dict[str, list[int]] = {name: [] for name in Giving.json_fields}
-    for part in parts:
-        if (giving := what_gives(part.question, part.groups, end, way)) is not None:
-            for name, numbers in together.items():
-                numbers += [part.numbers[k - 1] for k in getattr(giving, name)]
-    return Giving(**{name: tuple(sorted(numbers)) for name, numbers in together.items()}) or None
+def _together(given: Iterable[tuple[_PartQuestion, Giving | None]]) -> Giving | None:
+    """Return what gives in parts, by the numbers of contacts in the whole; None if nothing does."""
+    numbers: dict[str, list[int]] = {name: [] for name in Giving.json_fields}
+    for part, giving in given:
+        for name, listed in numbers.items() if giving else ():
+            listed += [part.numbers[k - 1] for k in getattr(giving, name)]
+    return Giving(**{name: tuple(sorted(listed)) for name, listed in numbers.items()}) or None
 
 
 def what_gives(question: LinearQuestion, groups: Groups, end: Fraction, way: int) -> Giving | None:
@@ -167,26 +153,25 @@ def what_gives(question: LinearQuestion, groups: Groups, end: Fraction, way: int
         groups: by contacts, places in the rows of the question.
         way: 1 at an upper end, -1 at a lower one.
     """
-    tree = StateTree(question.at(end), Effort.usual(_STEPS), _NODES * budget.times())
+    tree = _tree(question.at(end))
     at_end, inside = [], []
     try:
         for program in complete_programs(tree):
-            at_end.append(_common(program))
+            at_end.append(program)
             whole = ContactProgram(question, program.states, tree.effort)
             low, high = (x.t for x in whole.ends())
             last, first = (high, low) if way > 0 else (low, high)
             if last != end:
                 return None  # The end is not one of this question: of another part.
             if first != end:
-                inside.append(_common(whole))
+                inside.append(whole)
+        if not at_end:
+            return None
+        after, before = _given(at_end, groups), _given(inside, groups) if inside else None
     except TimeoutError:
         return None
-    if not at_end:
-        return None
-    after = _given(at_end, groups)
-    if not inside:
+    if before is None:
         return replace(after, lifts_off=(), unloaded=after.lifts_off) or None
-    before = _given(inside, groups)
     gone = {*after.lifts_off}
     giving = Giving(
         tuple(k for k in after.slips if k not in {*before.slips, *before.lifts_off}),
@@ -201,50 +186,42 @@ def limits_of(subject: Subject, load: Any) -> Giving | None:
 
     Those at their friction limit slip; those without force are unloaded.
     """
-    each: list[Giving] = []
-    for part in _parts(subject, load, no_load(subject), {}):
-        tree = StateTree(part.question, Effort.usual(_STEPS), _NODES * budget.times())
-        try:
-            common = [_common(program) for program in complete_programs(tree)]
-        except TimeoutError:
+    parts = list(_parts(subject, load, no_load(subject), {}))
+    try:
+        programs = [list(complete_programs(_tree(part.question))) for part in parts]
+        if not all(programs):
             return None
-        if not common:
-            return None
-        giving = _given(common, part.groups)
-        numbers = ([part.numbers[k - 1] for k in x] for x in (giving.slips, giving.lifts_off))
-        each.append(Giving(tuple(next(numbers)), unloaded=tuple(next(numbers))))
-    slips, unloaded = (
-        tuple(sorted(k for one in each for k in getattr(one, name)))
-        for name in ("slips", "unloaded")
-    )
-    return Giving(slips, unloaded=unloaded) or None
+        given = (_given(own, part.groups) for own, part in zip(programs, parts, strict=True))
+        limits = [Giving(x.slips, unloaded=x.lifts_off) for x in given]
+    except TimeoutError:
+        return None
+    return _together(zip(parts, limits, strict=True))
 
 
-def _common(program: ContactProgram) -> _Loaded:
-    """Return what all solutions of a complete program have in common."""
-    points = range(len(program.states))
-    return _Loaded(
-        [program.is_unloaded(i) for i in points], [program.is_at_limit(i) for i in points]
-    )
+def _tree(question: LinearQuestion) -> StateTree:
+    return StateTree(question, Effort.usual(_STEPS), _NODES * budget.times())
 
 
-def _given(sets: Sequence[_Loaded], groups: Groups) -> Giving:
+def _given(sets: Sequence[ContactProgram], groups: Groups) -> Giving:
     """Return which contacts slip, have no force, or have it at an edge, in all equilibria."""
-    unloaded = [all(column) for column in zip(*(x.unloaded for x in sets), strict=True)]
-    slipping = [
-        all(a or b for a, b in zip(*columns, strict=True))
-        for columns in zip(
-            zip(*(x.unloaded for x in sets), strict=True),
-            zip(*(x.at_limit for x in sets), strict=True),
-            strict=True,
-        )
+    points = range(len(sets[0].states))
+    unloaded = [[program.is_unloaded(i) for i in points] for program in sets]
+    resting = [
+        [a or program.is_at_limit(i) for i, a in enumerate(row)]
+        for program, row in zip(sets, unloaded, strict=True)
     ]
+    never, always = ([*map(all, zip(*rows, strict=True))] for rows in (unloaded, resting))
+    return given_at(groups, never, always)
+
+
+def given_at(groups: Groups, is_unloaded: Sequence[bool], slips_at: Sequence[bool]) -> Giving:
+    """Return what gives of contacts whose points have no force, or friction at its limit."""
     slips, lifts, tips = [], [], []
     for number, points in enumerate(groups, 1):
-        loaded = [i for i in points if not unloaded[i]]
+        loaded = [i for i in points if not is_unloaded[i]]
         if not loaded:
             lifts.append(number)
-        elif all(slipping[i] for i in loaded):
+        elif all(slips_at[i] for i in loaded):
             slips.append(number)
         if len(points) > 1 and len(loaded) == 1 and loaded[0] in (points[0], points[-1]):
             tips.append(number)
