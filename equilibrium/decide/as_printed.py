@@ -109,9 +109,7 @@ def _slips(options: tuple[str, ...]) -> dict[str, State]:
     pull = 1 if "signs" in options else -1
     return {
         name: ContactState(
-            "attached",
-            () if "cell-check" in options else ((False, (sign,)),),
-            share=(pull * sign,),
+            "attached", () if "cell-check" in options else ((False, (sign,)),), share=(pull * sign,)
         )
         for name, sign in (("slip+", 1), ("slip-", -1))
     }

@@ -25,15 +25,10 @@ import numpy as np
 
 from arrangement.numbers.exact import RationalVector, dot
 from arrangement.numbers.float_filter import Floats
-from arrangement.numbers.linear.rank import gauss_jordan
-from equilibrium.core.contact_law import (
-    ContactState,
-    LinearQuestion,
-    State,
-    fraction,
-    spring_force,
-)
+from arrangement.numbers.linear.rank import difference, gauss_jordan
+from equilibrium.core.contact_law import ContactState, LinearQuestion, State, fraction, spring_force
 from equilibrium.core.contact_program import ContactProgram
+from equilibrium.core.contact_rows import sum_row
 from equilibrium.core.contacts import nearest
 from equilibrium.model.contact import Contact
 from equilibrium.model.labels import DataError
@@ -68,39 +63,52 @@ def meeting(verdict: Verdict, decide: Decide) -> Subject | None:
     near = decide(with_contacts(subject, rubbed), verdict.load)
     if near is None or near.verdict != RESISTED:
         return None
+    case = _Case(verdict.load, near.solution, smooth, error, size)
     try:
-        return _moved(subject, verdict.load, near.solution, smooth, error, size)
+        return _moved(subject, case)
     except (np.linalg.LinAlgError, OverflowError):
         return None
 
 
-def _moved(
-    subject: Subject,
-    load: RationalVector,
-    near: Any,
-    smooth: Sequence[int],
-    error: DataError,
-    size: Fraction,
-) -> Subject | None:
-    contacts, fine = list(contacts_of(subject)), error.length / (64 * size or 1)
-    question = load, near, smooth, error, size
-    balance = _Balance(subject, *question)
+class _Case(NamedTuple):
+    """What is looked for.
+
+    Attributes:
+        near: the equilibrium with a tiny friction.
+        smooth: places of the smooth contacts.
+        size: of the grasp.
+    """
+
+    load: RationalVector
+    near: Any
+    smooth: Sequence[int]
+    error: DataError
+    size: Fraction
+
+
+def _moved(subject: Subject, case: _Case) -> Subject | None:
+    contacts, error = list(contacts_of(subject)), case.error
+    balance = _Balance(subject, case)
     if error.angle:
+        fine = min(error.angle, error.length / (64 * case.size or 1))
         for i, angles in balance.turns().items():
-            across = zip(*contacts[i].tangents, strict=True)
-            aim = [x + dot(angles, y) for x, y in zip(contacts[i].normal, across, strict=True)]
-            normal = unit_normal(aim, min(error.angle, fine)).normal
-            contacts[i] = _with(contacts[i], contacts[i].point, normal)
-        balance = _Balance(with_contacts(subject, contacts), *question)
+            aim = _along(contacts[i], contacts[i].normal, angles)
+            contacts[i] = _with(contacts[i], contacts[i].point, unit_normal(aim, fine).normal)
+        balance = _Balance(with_contacts(subject, contacts), case)
     shifts = balance.shifts()
     for i, lengths in (shifts or {}).items():
-        old, tangents = contacts[i], zip(*contacts[i].tangents, strict=True)
-        point = [x + dot(lengths, y) for x, y in zip(old.point, tangents, strict=True)]
-        contacts[i] = _with(old, point, old.normal)
-    pairs = list(zip(contacts, contacts_of(subject), strict=True))
+        old = contacts[i]
+        contacts[i] = _with(old, _along(old, old.point, lengths), old.normal)
+    pairs = zip(contacts, contacts_of(subject), strict=True)
     if shifts is None or any(_far(new, old, error) for new, old in pairs):
         return None
     return with_contacts(subject, contacts)
+
+
+def _along(contact: Contact, start: RationalVector, lengths: Sequence[Fraction]) -> RationalVector:
+    """Return a vector and multiples of the tangents of a contact together."""
+    axes = zip(start, *contact.tangents, strict=True)
+    return tuple(x + dot(lengths, across) for x, *across in axes)
 
 
 def _with(contact: Contact, point: Any, normal: Any) -> Contact:
@@ -133,53 +141,39 @@ class _Column(NamedTuple):
 class _Balance:
     """The balance of a load as linear equations, for the states of an equilibrium near."""
 
-    def __init__(
-        self,
-        subject: Subject,
-        load: RationalVector,
-        near: Any,
-        smooth: Sequence[int],
-        error: DataError,
-        size: Fraction,
-    ) -> None:
-        self.rows, self.near = rows_of(subject), near
-        self.size = nearest(size or Fraction(1))
-        self.motion = [nearest(x) for x in near.motion]
-        self.pressed = {i: f[0] for i, f in enumerate(near.forces) if f[0] > 0}
-        self.force = max([*self.pressed.values(), *map(abs, load)])
-        self.columns: list[_Column] = []
-        states = [self._state(i, i in smooth) for i in range(len(self.rows))]
-        self.program = ContactProgram(LinearQuestion(self.rows, load), tuple(states))
+    def __init__(self, subject: Subject, case: _Case) -> None:
+        self.rows, self.case = rows_of(subject), case
+        self.motion = [nearest(x) for x in case.near.motion]
+        self.pressed = {i: f[0] for i, f in enumerate(case.near.forces) if f[0] > 0}
+        states = tuple(self._state(i) for i in range(len(self.rows)))
+        self.program = ContactProgram(LinearQuestion(self.rows, case.load), states)
+        self.shifts_of, self.turns_of = list[_Column](), list[_Column]()
         shifted = [self._shifted(subject, k) for k in range(self.rows.tangents)]
-        for i, pressed in self.pressed.items():
-            row, along = self.rows[i], self.rows[i].normal_wrench
-            if i in smooth:
-                for k in range(self.rows.tangents):
-                    one = tuple(
-                        x - y for x, y in zip(shifted[k][i].normal_wrench, along, strict=True)
-                    )
-                    self.columns.append(_Column(i, k, "shift", one, error.length * pressed))
-                    turn = row.tangential_wrenches[k]
-                    self.columns.append(_Column(i, k, "turn", turn, error.angle * pressed))
-        for _, i, k in self.program.unknowns:
-            tangent = self.rows[i].tangential_wrenches[k]
-            self.columns.append(_Column(i, k, "friction", tangent, self.pressed[i]))
+        for i in (i for i in self.pressed if i in case.smooth):
+            row, pressed = self.rows[i], self.pressed[i]
+            for k, tangent in enumerate(row.tangential_wrenches):
+                one = difference(shifted[k][i].normal_wrench, row.normal_wrench)
+                self.shifts_of.append(_Column(i, k, "shift", one, case.error.length * pressed))
+                self.turns_of.append(_Column(i, k, "turn", tangent, case.error.angle * pressed))
+        self.frictions = [
+            _Column(i, k, "friction", self.rows[i].tangential_wrenches[k], self.pressed[i])
+            for _, i, k in self.program.unknowns
+        ]
 
     def _shifted(self, subject: Subject, k: int) -> Sequence[ContactRow]:
         """Return the rows of contacts whose points are one further along a tangent."""
-        moved = [
-            _with(c, [x + y for x, y in zip(c.point, c.tangents[k], strict=True)], c.normal)
-            for c in contacts_of(subject)
-        ]
+        moved = (
+            _with(c, sum_row(c.point, c.tangents[k], 1), c.normal) for c in contacts_of(subject)
+        )
         return rows_of(with_contacts(subject, moved)).contacts
 
-    def _state(self, i: int, is_smooth: bool) -> State:
+    def _state(self, i: int) -> State:
         """Return what a contact does: in space, and where it sticks, friction is not known."""
         tangents = self.rows[i].tangential_wrenches
-        slips = [dot(tangent, self.near.motion) for tangent in tangents]
+        slips = [dot(tangent, self.case.near.motion) for tangent in tangents]
         if i not in self.pressed:
             return "detached"
-        if is_smooth:
+        if i in self.case.smooth:
             return ContactState("attached", share=(0,) * len(slips))
         if any(slips) and len(slips) == 1:
             return "slip+" if slips[0] > 0 else "slip-"
@@ -187,11 +181,9 @@ class _Balance:
 
     def _chosen(self) -> list[_Column]:
         """Return frictions, and as many shifts as there are motions that no contact resists."""
-        frictions = [column for column in self.columns if column.kind == "friction"]
-        shifts = [column for column in self.columns if column.kind == "shift"]
-        felt = [self.rows[i].normal_wrench for i in self.pressed]
-        felt += [column.wrench for column in frictions]
-        arms = np.where(self.rows.turns, 1 / self.size, 1.0)
+        shifts, felt = self.shifts_of, [self.rows[i].normal_wrench for i in self.pressed]
+        felt += [column.wrench for column in self.frictions]
+        arms = np.where(self.rows.turns, 1 / nearest(self.case.size or Fraction(1)), 1.0)
         _, sizes, axes = np.linalg.svd(np.array(felt, float) * arms)
         rank = np.count_nonzero(sizes > _FELT * sizes.max(initial=0.0))
         table = [[nearest(x * column.size) for x in column.wrench] for column in shifts]
@@ -207,7 +199,7 @@ class _Balance:
             way = works[best] / lengths[best]
             works = works - np.outer(works @ way, way)
             works[best] = 0.0
-        return [*frictions, *best_shifts]
+        return [*self.frictions, *best_shifts]
 
     def _equations(self, chosen: Sequence[_Column]) -> list[list[Fraction]]:
         """Return equations for the motion and columns, what they are equal to last."""
@@ -223,12 +215,13 @@ class _Balance:
     def _sizes(self, chosen: Sequence[_Column]) -> list[Fraction]:
         """Return typical sizes of the unknowns: in these units the least ones are taken."""
         soft = max((row.stiffness for row in self.rows), default=Fraction(1)) or 1
-        step = max([*map(abs, self.near.motion), self.force / soft])
+        force = max([*self.pressed.values(), *map(abs, self.case.load)])
+        step = max([*map(abs, self.case.near.motion), force / soft])
         return [step] * self.rows.n + [column.size for column in chosen]
 
     def turns(self) -> dict[int, list[Fraction]]:
         """Return angles along the tangents by contact, from floats."""
-        chosen = [*self._chosen(), *(column for column in self.columns if column.kind == "turn")]
+        chosen = [*self._chosen(), *self.turns_of]
         rows = self._equations(chosen)
         table = np.array([[nearest(x) for x in row] for row in rows])
         sizes: Floats = np.array([nearest(x) for x in self._sizes(chosen)])

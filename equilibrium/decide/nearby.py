@@ -49,13 +49,15 @@ class _OtherData(ReprMixin):
     inner: Certificate | None = field(default=None, repr=False)
     certificate: Certificate | None = field(default=None, repr=False)
 
-    def _turned_document(self, name: str) -> dict[str, Any]:
-        """Return the JSON form of a verdict that is another one, under a name; empty without."""
-        if self.turned is None:
-            return {}
-        sizes = {key: to_text(x) for key, x in self.change.items()}
-        proof = {} if self.inner is None else {"holds_within": self.inner.to_dict()}
-        return {name: self.turned.to_dict(), "change": sizes} | proof
+    def _found(self, name: str) -> dict[str, Any]:
+        """Return the JSON form of the reason, and of another verdict under a name."""
+        document: dict[str, Any] = {"reason": self.reason} if self.reason else {}
+        if self.turned is not None:
+            sizes = {key: to_text(x) for key, x in self.change.items()}
+            document |= {name: self.turned.to_dict(), "change": sizes}
+            if self.inner is not None:
+                document["holds_within"] = self.inner.to_dict()
+        return document
 
     def _turned_lines(self) -> Iterator[str]:
         """Yield the other data in lines; nothing without."""
@@ -99,9 +101,7 @@ class Robustness(_OtherData):
         document: dict[str, Any] = {"answer": self.answer, "bounds": self.bounds.to_dict()}
         if self.certificate is not None:
             document["certificate"] = self.certificate.to_dict()
-        if self.reason:
-            document["reason"] = self.reason
-        return document | self._turned_document("counterexample")
+        return document | self._found("counterexample")
 
     def lines(self) -> Iterator[str]:
         """Yield the answer in words."""
@@ -157,9 +157,7 @@ class WithinError(_OtherData):
         """Return a JSON form."""
         document: dict[str, Any] = {"verdict": self.verdict, "proved": self.proved}
         document |= {"answer": self.answer, "asked": self.asked, "undecided": self.open}
-        if self.reason:
-            document["reason"] = self.reason
-        return document | self._turned_document("turned")
+        return document | self._found("turned")
 
     def lines(self) -> Iterator[str]:
         """Yield the answer in words."""

@@ -110,14 +110,8 @@ def _certificate(verdict: Verdict, bounds: Bounds, parts: dict[str, Any]) -> Cer
 
 
 def _parts(held: Holding, reach: RationalVector, energy: Fraction) -> dict[str, Any]:
-    """Return the parts of a document."""
-    return {
-        "motion": held.motion,
-        "forces": held.forces,
-        "correction": held.correction,
-        "reach": reach,
-        "energy": energy,
-    }
+    parts = {name: getattr(held, name) for name in ("motion", "forces", "correction")}
+    return {**parts, "reach": reach, "energy": energy}
 
 
 def _held(
@@ -184,9 +178,6 @@ def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
     The variables are the motion, friction and ``a = q' - c_n`` of holding contacts, sizes of a and
     of what loose contacts add, and the room. The root of their squares is bounded by their sum.
     """
-    with extra("search"):
-        from scipy.optimize import linprog  # slow to load, and few verdicts need it
-
     n, h, d = len(rows.load), len(holding), rows.d
     loose = [i for i in range(rows.m) if i not in holding]
     parts = (n, h * (d - 1), h, h, len(loose), 1)
@@ -228,7 +219,7 @@ def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
             slip = rows.least[i] * rows.stiffness[i] * (way @ rows.tangents[i])
             least.append(row((motion, yields + slip), (adds.start + a, -1)))
             limits.append(-preload)
-    optimum = linprog(
+    best = _optimum(
         row((room, -1)),
         np.array(least) if least else None,
         limits or None,
@@ -236,12 +227,12 @@ def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
         [*right, *[0.0] * len(equal)],
         bounds=[(None, None)] * sizes.start + [(0, None)] * (spent.stop - spent.start) + [(0, 10)],
     )
-    if optimum.x is None:
+    if best is None:
         return None
     forces = np.zeros((rows.m, d))
-    place = optimum.x[motion]
-    forces[holding, 0] = rows.spring_forces(place)[holding] - optimum.x[away]
-    forces[holding, 1:] = optimum.x[friction].reshape(h, d - 1)
+    place = best[motion]
+    forces[holding, 0] = rows.spring_forces(place)[holding] - best[away]
+    forces[holding, 1:] = best[friction].reshape(h, d - 1)
     return _Choice(place, forces)
 
 
@@ -289,9 +280,6 @@ def _corrected(
 
 def _pulled(subject: Subject, load: RationalVector, bounds: Bounds) -> dict[str, Any] | None:
     """Return a proof of a no: one virtual motion."""
-    with extra("search"):
-        from scipy.optimize import linprog  # slow to load, and few verdicts need it
-
     rows = _FloatSubject(subject, load, bounds)
     n, more = len(load), 1 + float(bounds.friction)
     shares = np.tile(more * rows.around[:, None], (1, rows.m, 1))
@@ -299,15 +287,21 @@ def _pulled(subject: Subject, load: RationalVector, bounds: Bounds) -> dict[str,
     room = np.linalg.norm(works, axis=1)
     limits = [(-1, 1)] * n + [(0, None)]
     cost = np.append(np.zeros(n), -1.0)
-    optimum = linprog(cost, np.column_stack([-works, room]), np.zeros(len(works)), bounds=limits)
-    if optimum.x is None:
+    best = _optimum(cost, np.column_stack([-works, room]), np.zeros(len(works)), bounds=limits)
+    if best is None:
         return None
-    virtual = _dyadic(optimum.x[:n] * rows.units)
-    return (
-        None
-        if virtual_motion_problem(subject, load, bounds, virtual)
-        else {"virtual_motion": virtual}
-    )
+    virtual = _dyadic(best[:n] * rows.units)
+    is_wrong = virtual_motion_problem(subject, load, bounds, virtual)
+    return None if is_wrong else {"virtual_motion": virtual}
+
+
+def _optimum(*program: Any, **bounds: Any) -> Floats | None:
+    """Return the optimum of a linear program in floats; None if there is none."""
+    with extra("search"):
+        from scipy.optimize import linprog  # slow to load, and few verdicts need it
+
+    optimum: Floats | None = linprog(*program, **bounds).x
+    return optimum
 
 
 def _dyadic(row: Floats) -> RationalVector:

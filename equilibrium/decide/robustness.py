@@ -8,7 +8,7 @@ not proved some data within the error are asked about, and what turns the verdic
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -93,7 +93,7 @@ def _inner(
 def _between(one: Subject, two: Subject, share: Fraction) -> Subject:
     """Return what is on the way from one grasp, or assembly, to another of as many contacts."""
 
-    def mixed(x: RationalVector, y: RationalVector) -> RationalVector:
+    def mixed(x: Sequence[Fraction], y: Sequence[Fraction]) -> RationalVector:
         return tuple(a + share * (b - a) for a, b in zip(x, y, strict=True))
 
     contacts = []
@@ -101,10 +101,10 @@ def _between(one: Subject, two: Subject, share: Fraction) -> Subject:
         normal = old.normal
         if far := max(abs(x - y) for x, y in zip(old.normal, new.normal, strict=True)):
             normal = unit_normal(mixed(old.normal, new.normal), share * far / 1000).normal
-        pairs = ([getattr(c, name) for c in (old, new)] for name in VALUES)
-        values = {k: x + share * (y - x) for k, (x, y) in zip(VALUES, pairs, strict=True)}
+        values = mixed(*([getattr(c, name) for name in VALUES] for c in (old, new)))
         place, is_stated = mixed(old.point, new.point), old.stiffness_given
-        contacts.append(Contact(place, normal, **values, stiffness_given=is_stated))
+        named: Any = dict(zip(VALUES, values, strict=True))
+        contacts.append(Contact(place, normal, **named, stiffness_given=is_stated))
     return with_contacts(one, contacts)
 
 
@@ -169,16 +169,13 @@ def met_within_error(verdict: Verdict, deadline: Deadline = NO_DEADLINE) -> Iter
 def _error_bounds(subject: Subject) -> tuple[Bounds, bool]:
     """Return bounds of the error of data, and whether they have all data within it."""
     error, contacts = known_error(subject), contacts_of(subject)
-    least = {
-        name: min((x for c in contacts if (x := getattr(c, name))), default=1) for name in VALUES
-    }
-    wanted = {"degrees": error.angle * 113 * 180 / 355, "length": error.length}
-    wanted |= {name: error.value / x for name, x in least.items()}
-    bounds = {
-        name: min(x, Fraction(45 if name == "degrees" else "99/100")) for name, x in wanted.items()
-    }
-    bounds["length"] = error.length
-    return Bounds(**bounds), bounds == wanted
+    wanted = {"degrees": error.angle * 113 * 180 / 355}
+    for name in VALUES:
+        stated = [x for c in contacts if (x := getattr(c, name))]
+        wanted[name] = error.value / min(stated, default=1)
+    most = {name: Fraction(45 if name == "degrees" else "99/100") for name in wanted}
+    bounds = {name: min(x, most[name]) for name, x in wanted.items()}
+    return Bounds(length=error.length, **bounds), bounds == wanted
 
 
 def effort_within(deadline: Deadline) -> Effort:

@@ -6,7 +6,6 @@ equilibria.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
@@ -78,8 +77,13 @@ class StateChoices:
         return next((piece for piece in pieces if piece is not None), None)
 
     def may_be_missed(self, wrench: RationalVector) -> bool:
-        """Return whether a choice that floats cannot solve may have an equilibrium."""
-        return self._singular.may_hold(wrench)
+        """Return whether a choice that floats cannot solve may have an equilibrium; no is exact."""
+        load = primitive((*wrench, Fraction(1)))
+        for rows, are_zero in self._singular:
+            values = [dot(row, load) for row in rows]
+            if not any(values) if are_zero else min(values, default=0) >= 0:
+                return True
+        return False
 
     def equilibria(self, wrench: RationalVector) -> tuple[Equilibrium, ...]:
         """Return the maximal pieces of all solutions: every choice of contact states is decided.
@@ -107,30 +111,11 @@ class StateChoices:
         return LinearQuestion(rows, (Fraction(0),) * 3, max_displacement=bound)
 
     @cached_property
-    def _singular(self) -> SingularStates:
-        rows = self.codes[self.screen.singular].tolist()
-        return SingularStates(self.grasp, self._unloaded, map(states_of_code, rows))
-
-
-class SingularStates:
-    """Choices of contact states whose systems floats cannot solve."""
-
-    def __init__(self, grasp: Grasp, question: LinearQuestion, choices: Iterable[States]) -> None:
-        self._planes: list[list[IntegerVector]] = []
-        self._bounds: list[list[IntegerVector]] = []
-        for states in choices:
-            planes = _planes(question, states)
-            if planes:
-                self._planes.append(planes)
-            else:
-                self._bounds.append(_bounds(grasp, states))
-
-    def may_hold(self, wrench: RationalVector) -> bool:
-        """Return whether one of them may balance a load; False is exact."""
-        load = primitive((*wrench, Fraction(1)))
-        return any(all(dot(row, load) == 0 for row in rows) for rows in self._planes) or any(
-            all(dot(row, load) >= 0 for row in rows) for rows in self._bounds
-        )
+    def _singular(self) -> list[tuple[list[IntegerVector], bool]]:
+        """Rows of loads that have states which floats cannot solve: at least 0, or all 0 there."""
+        choices = map(states_of_code, self.codes[self.screen.singular].tolist())
+        planes = ((states, _planes(self._unloaded, states)) for states in choices)
+        return [(rows or _bounds(self.grasp, states), bool(rows)) for states, rows in planes]
 
 
 def _planes(question: LinearQuestion, states: States) -> list[IntegerVector]:

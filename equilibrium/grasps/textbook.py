@@ -19,7 +19,7 @@ from equilibrium.model.assembly import Assembly, BodyContact, RigidBody, Wrenche
 from equilibrium.model.contact import Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Circle, Polygon, Segments
-from equilibrium.model.unit_normal import unit_normal
+from equilibrium.model.unit_normal import of_half_tangent, unit_normal
 
 from .inputs.touching import Shape, touching
 
@@ -32,11 +32,7 @@ _MAX_BODIES = 200
 
 
 def stack(
-    *,
-    blocks: int = 2,
-    friction: Number = "1/2",
-    weight: Number = 1,
-    push: Number = 0,
+    *, blocks: int = 2, friction: Number = "1/2", weight: Number = 1, push: Number = 0
 ) -> tuple[Assembly, Wrenches]:
     """Return blocks of width 2 and height 1 on each other, the topmost pushed to the right.
 
@@ -297,10 +293,7 @@ def ramp(
 
 
 def tongs(
-    *,
-    friction: Number = "1/2",
-    squeeze: Number = 1,
-    weight: Number = 1,
+    *, friction: Number = "1/2", squeeze: Number = 1, weight: Number = 1
 ) -> tuple[Assembly, Wrenches]:
     """Return two jaws of tongs that squeeze and lift a block; nothing touches the ground.
 
@@ -359,10 +352,10 @@ def _joint(k: int, count: int) -> RationalVector:
 def _angle(half_tangent: Rational, least: Fraction) -> tuple[Fraction, Fraction]:
     """Return cosine and sine of an angle below a right one whose sine is above a least one."""
     q = rational(half_tangent, "half_tangent")
-    if not 0 < q < 1 or 2 * q / (1 + q * q) < least:
+    if not 0 < q < 1 or of_half_tangent(q)[1] < least:
         due = "above 0 and below 1" if not least else "from 0.268 to below 1"
         raise GraspError(f"half_tangent is {shown(q)}; expected a number {due}")
-    return (1 - q * q) / (1 + q * q), 2 * q / (1 + q * q)
+    return of_half_tangent(q)
 
 
 def _check_count(count: int, name: str, least: int) -> None:

@@ -27,7 +27,14 @@ from arrangement.numbers.exact import RationalVector, rational, rational_vector,
 
 from .contact import VALUES, Contact, contact_of
 from .errors import GraspError
-from .grasp import ContactValuesMixin, Grasp, ask_contacts, wrench_of
+from .grasp import (
+    ContactValuesMixin,
+    Grasp,
+    ask_contacts,
+    check_version,
+    read_labels,
+    wrench_of,
+)
 from .labels import DataError, Units
 from .outline import Outline, centroid, coordinates, read_outline
 from .rows import TURNS, ContactRow, ContactRows
@@ -290,23 +297,19 @@ class Assembly(ContactValuesMixin):
     @cached_property
     def rows(self) -> ContactRows:
         """N and T of each contact in R^(3b), with three numbers a body in the order of `bodies`."""
-        place = {name: k for k, name in enumerate(self.names)}
         rows = []
         for c in self.contacts:
 
             def lifted(wrench: RationalVector, c: BodyContact = c) -> RationalVector:
-                parts = [_ZERO] * len(place)
-                parts[place[c.body_a]] = wrench
-                if c.body_b is not None:
-                    parts[place[c.body_b]] = tuple(-x for x in wrench)
-                return tuple(x for part in parts for x in part)
+                parts = {c.body_a: wrench, c.body_b: tuple(-x for x in wrench)}
+                return tuple(x for name in self.names for x in parts.get(name, _ZERO))
 
             contact = c.contact
             tangents = tuple(map(lifted, contact.tangential_wrenches))
             values = (getattr(contact, name) for name in VALUES)
             rows.append(ContactRow(lifted(contact.normal_wrench), tangents, *values))
         points = tuple(c.contact.point for c in self.contacts)
-        return ContactRows(tuple(rows), points, TURNS[2] * len(place), 1)
+        return ContactRows(tuple(rows), points, TURNS[2] * len(self.bodies), 1)
 
     @property
     def weights(self) -> Wrenches:
@@ -357,10 +360,7 @@ class Assembly(ContactValuesMixin):
 
     def to_dict(self, wrenches: Any = None) -> dict[str, Any]:
         """Return the file form, with wrenches on the bodies if given; every number is a string."""
-        labels = {name: getattr(self, name) for name in ("units", "data_error")}
-        document = {
-            "schema_version": 1,
-            **{name: label.to_dict() for name, label in labels.items() if label is not None},
+        document = self._labels() | {
             "bodies": [body.to_dict() for body in self.bodies],
             "contacts": [contact.to_dict() for contact in self.contacts],
         }
@@ -395,18 +395,15 @@ class Assembly(ContactValuesMixin):
         """
         optional = ("schema_version", "description", "units", "data_error", "wrench", "ground")
         check_keys(document, ("bodies", "contacts"), optional, "the assembly")
-        version = document.get("schema_version", 1)
-        if type(version) is not int or version != 1:
-            raise GraspError(f"schema_version is {shown(version)}; this version reads 1")
+        check_version(document)
         listed = check_list(document["bodies"], "bodies")
         bodies = [RigidBody.from_dict(entry, f"bodies[{i}]") for i, entry in enumerate(listed)]
         rows = check_list(document["contacts"], "contacts")
         ask_contacts(len(bodies) + len(rows))
         contacts = [BodyContact.from_dict(entry, i) for i, entry in enumerate(rows)]
-        units = Units.from_dict(document["units"]) if "units" in document else None
-        error = DataError.from_dict(document["data_error"]) if "data_error" in document else None
+        labels = read_labels(document)
         ground = map(read_outline, check_list(document.get("ground", []), "ground"))
-        return cls(bodies, contacts, units, error, ground)
+        return cls(bodies, contacts, ground=ground, **labels)
 
     def read_wrenches(self, wrenches: Any) -> Wrenches:
         """Return a wrench for each body, zero where none is given.

@@ -139,9 +139,7 @@ class Contact(ReprMixin):
             "friction": rational(friction, "friction"),
             "stiffness": spring,
             "preload": rational(preload, "preload"),
-            "tangent": _tangent(inward)
-            if tangent is None or len(inward) == 2
-            else _checked_tangent(inward, tangent),
+            "tangent": _tangent(inward, None if len(inward) == 2 else tangent),
             # Copies with another stiffness repeat the mark of the contact that they come from.
             "stiffness_given": stiffness_given or spring != part,
             "share": part,
@@ -288,24 +286,22 @@ def _unit(values: Iterable[Any], name: str = "normal") -> RationalVector:
     return vector
 
 
-def _tangent(normal: RationalVector) -> RationalVector:
-    """Return the tangent of a contact that states none."""
+def _tangent(normal: RationalVector, stated: Iterable[Any] | None = None) -> RationalVector:
+    """Return the tangent of a contact: that which is stated, or by default."""
+    if stated is not None:
+        tangent = _unit(stated, "tangent")
+        if len(tangent) != len(normal) or dot(tangent, normal):
+            raise GraspError(
+                f"tangent is {vector_text(tangent)}, which is not at a right angle to the normal "
+                f"{vector_text(normal)}"
+            )
+        return tangent
     if len(normal) == 2:
         return (-normal[1], normal[0])
     x, y, z = normal
     if z == -1:
         return (Fraction(1), Fraction(0), Fraction(0))
     return (1 - x * x / (1 + z), -x * y / (1 + z), -x)
-
-
-def _checked_tangent(normal: RationalVector, values: Iterable[Any]) -> RationalVector:
-    tangent = _unit(values, "tangent")
-    if len(tangent) != len(normal) or dot(tangent, normal):
-        raise GraspError(
-            f"tangent is {vector_text(tangent)}, which is not at a right angle to the normal "
-            f"{vector_text(normal)}"
-        )
-    return tangent
 
 
 def wrench_at(point: RationalVector, force: RationalVector) -> RationalVector:
@@ -381,16 +377,12 @@ def spread(points: Sequence[Contact], moved: Contact) -> tuple[Contact, ...]:
         # The smallest rotation that takes the old normal to the new one.
         turn = dot(moved.normal, away) / (1 + dot(old.normal, moved.normal))
         place = (p + a - turn * m for p, a, m in zip(moved.point, away, middle, strict=True))
-        own: dict[str, Any] = {name: _shared(c, old, moved, name) for name in _SHARED}
+        own: dict[str, Any] = {}
+        for name in _SHARED:  # as large a part of the new value as it had of the old one
+            whole = getattr(old, name)
+            own[name] = getattr(moved, name) * (getattr(c, name) / whole if whole else c.share)
         points_after.append(replace(moved, point=tuple(place), share=c.share, **own))
     return tuple(points_after)
-
-
-def _shared(point: Contact, old: Contact, new: Contact, name: str) -> Fraction:
-    """Return what a point gets of a value of its pad: as large a part as it had."""
-    whole = getattr(old, name)
-    part = getattr(point, name) / whole if whole else point.share
-    return Fraction(part * getattr(new, name))
 
 
 def radius_squared(points: Sequence[Contact]) -> Fraction:

@@ -63,6 +63,12 @@ _OTHER_KEYS = {
     ),
 }
 _PLACES = {2: "the plane", 3: "space"}
+#: What documents state besides contacts, and how it is read.
+_LABELS: Mapping[str, Callable[[Any], Any]] = {
+    "units": Units.from_dict,
+    "outline": read_outline,
+    "data_error": DataError.from_dict,
+}
 
 
 def ask_contacts(count: int) -> None:
@@ -131,6 +137,12 @@ class ContactValuesMixin(HintsMixin):
         pairs = enumerate(self.contacts)
         entries = tuple(self._changed(c, changed) if i in chosen else c for i, c in pairs)
         return replace(self, contacts=entries)  # type: ignore[type-var]
+
+    def _labels(self) -> dict[str, Any]:
+        """Return the beginning of the file form."""
+        labels = ((name, getattr(self, name, None)) for name in _LABELS)
+        stated = {name: label.to_dict() for name, label in labels if label is not None}
+        return {"schema_version": 1, **stated}
 
     @staticmethod
     def _changed(entry: Any, change: Callable[[Contact], Contact]) -> Any:
@@ -412,9 +424,7 @@ class Grasp(ContactValuesMixin, DrawableGrasp):
 
     def to_dict(self) -> dict[str, Any]:
         """Return the file form (see `read_grasp`)."""
-        labels = {name: getattr(self, name) for name in ("units", "outline", "data_error")}
-        stated = {name: label.to_dict() for name, label in labels.items() if label is not None}
-        return {"schema_version": 1, **stated, "contacts": [c.to_dict() for c in self]}
+        return self._labels() | {"contacts": [c.to_dict() for c in self]}
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a file, whole or not at all, which `read_grasp` reads: ``.json``, or ``.csv``.
@@ -454,17 +464,25 @@ class Grasp(ContactValuesMixin, DrawableGrasp):
             lambda: check_keys(document, required, optional, "the grasp", _OTHER_KEYS),
             lambda: check_contacts(listed),
         )
-        version = document["schema_version"]
-        if type(version) is not int or version != 1:
-            raise GraspError(f"schema_version is {version!r}; this version reads 1")
+        check_version(document)
         contacts = check_list(document["contacts"], "contacts")
         ask_contacts(len(contacts))
-        units = Units.from_dict(document["units"]) if "units" in document else None
-        outline = read_outline(document["outline"]) if "outline" in document else None
-        error = DataError.from_dict(document["data_error"]) if "data_error" in document else None
+        labels = read_labels(document)
         made: list[Contact] = []
         check_all(*(lambda e=e, i=i: made.append(contact_of(e, i)) for i, e in enumerate(contacts)))
-        return cls(made, units, outline, error)
+        return cls(made, **labels)
+
+
+def check_version(document: Mapping[str, Any]) -> None:
+    """Refuse another version of the schema; there is one."""
+    version = document.get("schema_version", 1)
+    if type(version) is not int or version != 1:
+        raise GraspError(f"schema_version is {shown(version)}; this version reads 1")
+
+
+def read_labels(document: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what a document states besides contacts, by the names of arguments."""
+    return {name: read(document[name]) for name, read in _LABELS.items() if name in document}
 
 
 def read_wrench(values: Iterable[Any], dimension: int = 2) -> RationalVector:

@@ -28,6 +28,7 @@ from .assembly import SIZE, Assembly, RigidBody, wrenches_of
 from .contact import VALUES, groups_of
 from .errors import GraspError
 from .grasp import Grasp
+from .unit_normal import of_half_tangent
 
 #: A grasp and a wrench, or an assembly and the wrenches on its bodies.
 AnyQuestion: TypeAlias = tuple[Grasp | Assembly, Any]
@@ -211,29 +212,24 @@ class ParametricQuestion:
     def load(self, domain: Domain) -> tuple[Any, ...]:
         """Return the wrench, of an assembly those on all bodies in a row, for an interval."""
         letter, zero = Function.letter(domain), Function.constant(0, domain)
+        none = [Expression("number", (Fraction(0),))] * SIZE
         if self.names is None:
-            rows = [self._read.get("wrench", [Expression("number", (Fraction(0),))] * SIZE)]
+            rows = [self._read.get("wrench", none)]
         elif "wrench" in self._read:
-            wrenches = self._read["wrench"]
-            rows = [
-                wrenches.get(name, [Expression("number", (Fraction(0),))] * SIZE)
-                for name in self.names
-            ]
+            rows = [self._read["wrench"].get(name, none) for name in self.names]
         else:
             return tuple(x for body in self._read["bodies"] for x in self._weight(body, letter))
         return tuple(zero + self._value(x, letter, "wrench") for row in rows for x in row)
 
     def _weight(self, body: Any, letter: Function) -> tuple[Any, ...]:
-        """Return the wrench of the weight of a body."""
         zero = letter * 0
         if not isinstance(body, Mapping) or "weight" not in body:
             return zero, zero, zero
         weight = self._value(body["weight"], letter, "weight")
         own = {key: x for key, x in body.items() if key != "weight"}
+        read = mapped_one(own, lambda e, name: zero + self._value(e, letter, name))
         try:
-            x, _ = RigidBody.from_dict(
-                mapped_one(own, lambda e, name: zero + self._value(e, letter, name))
-            ).middle
+            x, _ = RigidBody.from_dict(read).middle
         except Undecided:
             raise GraspError(
                 f"the centre of {body['name']} is undefined for some value; choose another interval"
@@ -244,7 +240,7 @@ class ParametricQuestion:
         if not isinstance(expression, Expression):
             raise GraspError(f'{name} is not a number or an expression; write such as "2*t"')
         try:
-            return expression.value(value, _turn(value) if self.is_angle else None)
+            return expression.value(value, of_half_tangent(value) if self.is_angle else None)
         except (ZeroDivisionError, Undecided):
             raise GraspError(
                 f"{name} divides by 0 for some value; choose another interval"
@@ -253,11 +249,10 @@ class ParametricQuestion:
             raise GraspError(f"{name}: {error}") from None
 
     def _normal(self, entry: Mapping[str, Any], value: Any, name: str) -> tuple[Any, ...]:
-        """Return the unit normal of a contact."""
         if "angle" in entry:
             angle = entry["angle"]
             if angle.has_letter:
-                return tuple(angle.turned(_turn(value)))
+                return tuple(angle.turned(of_half_tangent(value)))
             quarters = Fraction(angle.value(None)) / 90
             if quarters.denominator != 1:
                 raise GraspError(
@@ -300,12 +295,6 @@ def interval(low: Any, high: Any) -> Span:
     if ends[0] > ends[1]:
         raise GraspError(f"low is {shown(low)} and high is {shown(high)}; expected low below high")
     return Span(*ends)
-
-
-def _turn(u: Any) -> tuple[Any, Any]:
-    """Return cosine and sine of an angle from the tangent of its half."""
-    square = u * u
-    return (1 - square) / (1 + square), 2 * u / (1 + square)
 
 
 def mapped(document: Mapping[str, Any], change: Callable[[Any, str], Any]) -> dict[str, Any]:

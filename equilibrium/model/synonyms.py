@@ -64,8 +64,6 @@ NAMES: Mapping[str, str] = {
     for word, name in words.items()
 }
 
-_WRENCH = "wrench=[f_x, f_y, torque]"
-
 #: Other words for arguments of `equilibrium.solve` and what is computed as it is.
 ARGUMENTS: Mapping[str, str] = by_word("""
     direction external_wrench f force forces load moment tau torque w -> wrench=[f_x, f_y, torque]

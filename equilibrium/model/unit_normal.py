@@ -87,9 +87,9 @@ def unit_normal(direction: Iterable[Any], tolerance: Any = Fraction(1, 10**6)) -
 @lru_cache(maxsize=_CACHED)
 def _nearest(wanted: RationalVector, bound: Fraction) -> UnitNormal:
     """Return what `unit_normal` does; conversions want it of a direction twice."""
-    exact = _exact_unit(wanted)
-    if exact is not None:
-        return UnitNormal(exact, Fraction(0))
+    length = exact_root(dot(wanted, wanted))
+    if length is not None:
+        return UnitNormal(tuple(x / length for x in wanted), Fraction(0))
     # Directions in space are in integers, of which the tangents need no length.
     whole = without_denominators(wanted)
     limit = 1
@@ -100,11 +100,17 @@ def _nearest(wanted: RationalVector, bound: Fraction) -> UnitNormal:
             if error is not None and abs(error) <= bound:
                 return UnitNormal(normal, error)
         else:
-            along, length = _near_in_space(whole, limit)
+            along, unit = _near_in_space(whole, limit)
             error = _tangent_in_space(whole, along)
             if error is not None and error <= bound:
-                return UnitNormal(tuple(Fraction(x, length) for x in along), error)
+                return UnitNormal(tuple(Fraction(x, unit) for x in along), error)
         limit *= 2
+
+
+def of_half_tangent(u: Any) -> tuple[Any, Any]:
+    """Return cosine and sine of an angle from the tangent of its half, a number or a function."""
+    square = u * u
+    return (1 - square) / (1 + square), 2 * u / (1 + square)
 
 
 def angle_error(wanted: RationalVector, unit: RationalVector) -> Fraction:
@@ -121,12 +127,6 @@ def angle_error(wanted: RationalVector, unit: RationalVector) -> Fraction:
     return error
 
 
-def _exact_unit(v: RationalVector) -> RationalVector | None:
-    """Return v / |v| when |v| is rational."""
-    length = exact_root(dot(v, v))
-    return None if length is None else tuple(x / length for x in v)
-
-
 def _near(v: RationalVector, limit: int) -> RationalVector:
     """Return the unit vector whose half-angle tangent is v's with denominator at most limit.
 
@@ -134,17 +134,13 @@ def _near(v: RationalVector, limit: int) -> RationalVector:
     in (0, 1/2) and the same limit means the same fineness in every quadrant.
     """
     large, small = max(abs(v[0]), abs(v[1])), min(abs(v[0]), abs(v[1]))
-    u = _half_tangent(large, small, limit).limit_denominator(limit)
-    cosine, sine = (1 - u * u) / (1 + u * u), 2 * u / (1 + u * u)
+    slope = small / large
+    # The tangent of half the angle, to well within ``1 / limit^2``.
+    half = slope / (1 + _root(1 + slope * slope, limit))
+    cosine, sine = of_half_tangent(half.limit_denominator(limit))
     if abs(v[0]) < abs(v[1]):
         cosine, sine = sine, cosine
     return (cosine if v[0] > 0 else -cosine, sine if v[1] > 0 else -sine)
-
-
-def _half_tangent(large: Fraction, small: Fraction, limit: int) -> Fraction:
-    """Return ``small / (large + sqrt(large^2 + small^2))`` to well within ``1 / limit^2``."""
-    slope = small / large
-    return slope / (1 + _root(1 + slope * slope, limit))
 
 
 def _near_in_space(v: Sequence[int], limit: int) -> tuple[list[int], int]:

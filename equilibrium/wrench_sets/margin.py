@@ -204,9 +204,7 @@ def sufficient_preloads(grasp: Grasp | Solver, wrench: Any) -> Preloads:
 
 
 def chosen_preloads(
-    grasp: Grasp | Solver,
-    wrenches: Iterable[Any],
-    contacts: Iterable[int] | None = None,
+    grasp: Grasp | Solver, wrenches: Iterable[Any], contacts: Iterable[int] | None = None
 ) -> Preloads:
     """Return all p >= 0 with which chosen contacts resist every wrench; see `ResistedSet.preloads`.
 

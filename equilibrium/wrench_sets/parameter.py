@@ -396,11 +396,7 @@ class _Everywhere(Domain):
 
 
 def _carried(
-    family: ParametricQuestion,
-    value: Fraction,
-    solution: Solution,
-    *,
-    slips_at_limit: bool,
+    family: ParametricQuestion, value: Fraction, solution: Solution, *, slips_at_limit: bool
 ) -> Mapping[str, Any] | None:
     """Return motion and forces of the same contact states as functions of the letter.
 
@@ -578,7 +574,6 @@ def _with_room(
 
 
 def _motion_entry(family: ParametricQuestion, motion: Sequence[Any]) -> Any:
-    """Return the JSON form of a motion in functions."""
     texts, names = [x.text() for x in motion], family.names
     return texts if names is None else {x: texts[3 * k : 3 * k + 3] for k, x in enumerate(names)}
 

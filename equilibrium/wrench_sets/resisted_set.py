@@ -364,10 +364,7 @@ class ResistedSet(JsonMixin):
         return best_direction(self, self._load(base), point)
 
     def search(
-        self,
-        rays: int = 72,
-        tolerance: Any = Fraction(1, 1000),
-        max_magnitude: Any = 1000,
+        self, rays: int = 72, tolerance: Any = Fraction(1, 1000), max_magnitude: Any = 1000
     ) -> SearchMap:
         """Return the paper's map of resisted forces by binary search, beside the exact set.
 

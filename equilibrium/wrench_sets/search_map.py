@@ -16,13 +16,7 @@ from typing import Any
 from arrangement.console.number_form import JsonMixin
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import RationalVector, rational, shown, to_text
-from arrangement.numbers.linear.intervals import (
-    Interval,
-    holds,
-    intersection,
-    remainder,
-    union,
-)
+from arrangement.numbers.linear.intervals import Interval, holds, intersection, remainder, union
 from equilibrium.decide.solver import Solver
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp

@@ -288,7 +288,6 @@ def _direction_lines(best: BestDirection, unit: str) -> Iterator[str]:
 
 
 def _size_text(force: RationalVector, unit: str) -> str:
-    """Return size, direction and components of a force."""
     if not any(force):
         return "0: the load alone is on the boundary, or not resisted"
     size, _ = _root_text(dot(force, force))
@@ -430,7 +429,6 @@ def answer_of(result: Any, subject: Grasp | None = None) -> Answer:
 
 
 def _inequalities(span: Span, letter: str, text: Callable[[Fraction], str]) -> str:
-    """Return an interval as inequalities."""
     if span.low == span.high:
         return f"{letter} = {text(span.low)}"
     low, high = ("<=" if has else "<" for has in (span.has_low, span.has_high))

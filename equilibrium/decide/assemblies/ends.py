@@ -116,10 +116,7 @@ def ends_of(
         return _together((x, what_gives(x.question, x.groups, end, way)) for x in parts)
 
     return tuple(
-        (
-            at(low, -1) if low and low != high else None,
-            None if high is None else at(high, 1),
-        )
+        (at(low, -1) if low and low != high else None, None if high is None else at(high, 1))
         for low, high in intervals
     )
 

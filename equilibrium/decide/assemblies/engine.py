@@ -149,7 +149,6 @@ def _lifted(node: Any, part: AssemblyPart, assembly: Assembly) -> Tree:
 
 
 def _named(part: AssemblyPart) -> str:
-    """Return the contacts of a part in words."""
     return f"the contacts of {_listed(part.bodies)} with {part.root or 'the ground'}"
 
 

@@ -109,9 +109,7 @@ def read_wrenches(wrenches: Any, count: int, dimension: int) -> Floats:
 
 
 def near_floats(
-    grasps: Sequence[Grasp],
-    loads: Sequence[Sequence[RationalVector]],
-    dimension: int | None = None,
+    grasps: Sequence[Grasp], loads: Sequence[Sequence[RationalVector]], dimension: int | None = None
 ) -> tuple[Arrays, bool]:
     """Return exact grasps and loads as the nearest floats, and whether any of them is another one.
 

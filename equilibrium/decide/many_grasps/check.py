@@ -145,7 +145,7 @@ def check_grasps(
     given = friction, stiffness, preload, adhesion
     values = dict(zip(VALUES, given, strict=True))
     arrays = read_arrays(points, normals, values, wrenches)
-    return _checked(arrays, arrays, None, False, jobs, dask)
+    return check_as_written(arrays, None, jobs=jobs, dask=dask)
 
 
 def check_as_written(
@@ -163,32 +163,14 @@ def check_as_written(
         source: grasps, or the arrays of `read_arrays`.
         loads: those of each grasp, which may be of different numbers; None: those of the arrays.
     """
-    if loads is None:
-        assert not isinstance(source, list)
-        return _checked(source, source, None, False, jobs, dask)
+    arrays: Any = source
+    rounded = False
     if isinstance(source, list):
-        arrays, rounded = near_floats(source, loads)
-    else:
+        arrays, rounded = near_floats(source, loads or [])
+    elif loads is not None:
         empty = [Grasp()] * len(loads)
         (*_, wrenches), rounded = near_floats(empty, loads, source[0].shape[2])
         arrays = *source[:-1], wrenches
-    return _checked(arrays, source, loads, rounded, jobs, dask)
-
-
-def _checked(
-    arrays: Arrays,
-    source: Source,
-    loads: Sequence[Sequence[RationalVector]] | None,
-    rounded: bool,
-    jobs: int,
-    dask: str | None,
-) -> CheckedGrasps:
-    """Return the answers to loads: from floats where they prove one, else exactly.
-
-    Args:
-        arrays: the nearest floats of grasps and loads, or these themselves if not `rounded`.
-        loads: those of each grasp; None: those of the arrays.
-    """
     shape = arrays[-1].shape[:2]
     screened, resisted, exact, undecided = (np.zeros(shape, dtype=bool) for _ in range(4))
     asked: Booleans = np.all(~np.isnan(arrays[-1]), axis=2)
@@ -197,7 +179,8 @@ def _checked(
     present = ~np.isnan(arrays[0][..., 0])
     order = np.argsort(np.count_nonzero(present, axis=1), kind="stable")
     size = max(1, _NUMBERS // ((3 + present.shape[1]) ** 2 * max(shape[1], 1)))
-    batches = [(rows, rounded, _part(arrays, rows)) for rows in _batches(order, size)]
+    rows_of_batches = (order[k : k + size] for k in range(0, len(order), size))
+    batches = [(rows, rounded, _part(arrays, rows)) for rows in rows_of_batches]
     parts = run_parts(_screened, None, batches, jobs, dask)
     for rows, holds, decided in watched(parts, "batches of grasps", len(batches)):
         resisted[rows], screened[rows] = holds, decided
@@ -219,10 +202,6 @@ def _checked(
             (undecided if answer is None else exact)[number, load] = True
             resisted[number, load] = bool(answer)
     return CheckedGrasps(asked, resisted, screened, exact, undecided, source)
-
-
-def _batches(order: Any, size: int) -> list[Any]:
-    return [order[k : k + size] for k in range(0, len(order), size)]
 
 
 def _part(arrays: Arrays, rows: Any) -> Arrays:

@@ -9,6 +9,7 @@ from fractions import Fraction
 from itertools import chain, islice
 from typing import Any, NamedTuple
 
+from arrangement.library.files.json_files import check_list
 from arrangement.numbers.arguments import is_listed
 from arrangement.numbers.exact import (
     RationalVector,
@@ -22,6 +23,7 @@ from arrangement.numbers.exact import (
     to_text,
     vector_text,
 )
+from arrangement.synonyms import by_word
 from equilibrium.certificate.uncertain import root
 from equilibrium.model.contact import VALUES, Contact, joined, radius_squared, radius_text
 from equilibrium.model.errors import GraspError
@@ -160,19 +162,13 @@ def assembled(
 #: What a contact may have in a file besides its values, see `completed`.
 EXTRAS = ("pad",)
 #: Usual names of what contacts have, in tables and in lists of contacts, in small letters.
-USUAL = {
-    name: value
-    for value, names in {
-        "angle": "normal_angle normal_direction theta",
-        "friction": "mu µ μ cof friction_coefficient friction_coeff coefficient_of_friction",
-        "stiffness": "k normal_stiffness spring_constant",
-        "preload": "q force normal_force f_n fn",
-    }.items()
-    for name in names.split()
-}
-_OTHER_NAMES = (
-    USUAL | dict.fromkeys(("location", "p", "pos", "position"), "point") | {"n": "normal"}
-)
+USUAL = by_word("""
+    normal_angle normal_direction theta -> angle
+    mu µ μ cof friction_coefficient friction_coeff coefficient_of_friction -> friction
+    k normal_stiffness spring_constant -> stiffness
+    q force normal_force f_n fn -> preload
+""")
+_OTHER_NAMES = USUAL | by_word("location p pos position -> point\nn -> normal")
 #: Points of a pad as shares of its radius along the tangents, with shares of stiffness, preload and
 #: adhesion: while all touch, force and moment are those of an evenly pressed segment, or disc.
 #: Friction of a disc holds 2/3 of mu q r about the normal, these points 1/2 of it.
@@ -218,9 +214,15 @@ def contact_entry(entry: Any, name: str) -> Any:
     return renamed
 
 
-def extras_of(entry: Any) -> dict[str, Any]:
-    """Take the pad out of an entry, and return it."""
-    return {key: entry.pop(key) for key in EXTRAS if isinstance(entry, dict) and key in entry}
+def contact_entries(document: Mapping[str, Any]) -> tuple[list[Any], list[dict[str, Any]]]:
+    """Return the entries of a list of contacts (see `contact_entry`), and apart their pads."""
+    listed = enumerate(check_list(document["contacts"], "contacts"))
+    entries = [contact_entry(entry, f"contacts[{i}]") for i, entry in listed]
+    extras = [
+        {key: entry.pop(key) for key in EXTRAS if isinstance(entry, dict) and key in entry}
+        for entry in entries
+    ]
+    return entries, extras
 
 
 def _along(force: Any, normal: Any, name: str) -> Fraction:

@@ -24,8 +24,7 @@ from .conversion import (
     DEFAULT_TOLERANCE,
     Conversion,
     completed,
-    contact_entry,
-    extras_of,
+    contact_entries,
     unit_normals,
 )
 from .csv_file import is_table, read_bodies, read_csv
@@ -80,10 +79,9 @@ def read_any(
             source, angle_tolerance=angle_tolerance, tolerance=tolerance, as_given=as_given
         )
     document = read_contacts(source, floats=decimal_text)
-    contacts = check_list(document["contacts"], "contacts")
-    angles = any(isinstance(entry, Mapping) and "angle" in entry for entry in contacts)
-    contacts = [contact_entry(entry, f"contacts[{i}]") for i, entry in enumerate(contacts)]
-    extras = [extras_of(entry) for entry in contacts]
+    listed = check_list(document["contacts"], "contacts")
+    angles = any(isinstance(entry, Mapping) and "angle" in entry for entry in listed)
+    contacts, extras = contact_entries(document)
     document = {key: value for key, value in document.items() if key != "wrench"}
     document["contacts"] = contacts
     if not (round_normals or angles or has_decimals(document)):

@@ -13,16 +13,12 @@ import re
 import sys
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from arrangement.hints import hints_on_arguments
-from arrangement.library.files.json_files import (
-    Source,
-    check_keys,
-    check_list,
-    read_text,
-)
+from arrangement.library.files.json_files import Source, check_keys, check_list, read_text
 from arrangement.numbers.arguments import entries
 from arrangement.numbers.exact import (
     RationalVector,
@@ -40,9 +36,8 @@ from .conversion import (
     DEFAULT_TOLERANCE,
     Conversion,
     completed,
-    contact_entry,
+    contact_entries,
     contact_values,
-    extras_of,
     value_columns,
 )
 from .csv_file import Table, is_table, read_rows
@@ -156,27 +151,16 @@ def read_float_data(
     Raises:
         InputError: for anything that has not one of the two forms; in a CSV file it names the line.
     """
-    options: dict[str, Any] = {
-        "tolerance": tolerance,
-        "angle_tolerance": angle_tolerance,
-        "as_given": as_given,
-    }
+    convert: Any = partial(
+        from_float_data, tolerance=tolerance, angle_tolerance=angle_tolerance, as_given=as_given
+    )
     if is_table(source):
-
-        def convert(
-            points: list[Any], normals: list[Any], values: list[dict[str, Any]]
-        ) -> Conversion:
-            names = values[0] if values else VALUES[:1]
-            columns: dict[str, Any] = {name: [row[name] for row in values] for name in names}
-            return from_float_data(points, normals, **columns, **options)
-
-        return read_rows(Table(read_text(Path(source))[0]).contacts(), convert, _number)
+        rows = Table(read_text(Path(source))[0]).contacts()
+        return read_rows(rows, lambda x, y, values: convert(x, y, **value_columns(values)), _number)
     document = read_contacts(source, "points", floats=float)
     extras: list[dict[str, Any]] = []
     if "contacts" in document:
-        rows = check_list(document["contacts"], "contacts")
-        listed = [contact_entry(entry, f"contacts[{i}]") for i, entry in enumerate(rows)]
-        extras = [extras_of(entry) for entry in listed]
+        listed, extras = contact_entries(document)
         document = _columns({**document, "contacts": listed})
     required = ("schema_version", "points", "normals", VALUES[0])
     check_keys(document, required, (*VALUES[1:], "description"), "the document")
@@ -187,12 +171,12 @@ def read_float_data(
         ]
         for key in ("points", "normals")
     )
-    values: dict[str, Any] = {
+    values = {
         key: [_plain(x, key) for x in value] if isinstance(value, list) else _plain(value, key)
         for key, value in document.items()
         if key in VALUES
     }
-    conversion = from_float_data(points, normals, **values, **options)
+    conversion: Conversion = convert(points, normals, **values)
     return completed(conversion, extras) if extras else conversion
 
 

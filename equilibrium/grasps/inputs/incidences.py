@@ -18,13 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from arrangement.numbers.exact import (
-    RationalVector,
-    dot,
-    from_float,
-    from_floats,
-    rational_vector,
-)
+from arrangement.numbers.exact import RationalVector, dot, from_float, from_floats, rational_vector
 from arrangement.numbers.float_filter import Floats
 from arrangement.numbers.linear.rank import difference
 from equilibrium.model.contact import VALUES, Contact
@@ -274,7 +268,6 @@ class _Work:
         return 3 if self.n == 2 else 2
 
     def _normals(self, clusters: list[tuple[list[int], Floats]]) -> list[UnitNormal]:
-        """Return the normals, one for each class."""
         shared = [leader for i, leader in enumerate(self.leader) if i != leader]
         far, aim = dict.fromkeys(shared, self.size), dict(enumerate(self.directions))
         for members, centre in clusters:

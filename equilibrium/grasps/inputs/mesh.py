@@ -10,8 +10,9 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from itertools import accumulate
 from pathlib import Path
 from random import Random
@@ -84,26 +85,26 @@ class Surface:
         following = np.roll(facets, -1, axis=1)
         facets = facets[(facets != following).all(axis=1)]
         _check_closed(facets, len(points), name)
-        a, b, c = (points[column] for column in facets.T)
-        normals = np.cross(b - a, c - a)
-        size = float(np.linalg.norm(np.ptp(points, axis=0)))
-        if np.einsum("ij,ij->", a, normals) < 0:
+        whole = cls(points, facets, float(np.linalg.norm(np.ptp(points, axis=0))))
+        if np.einsum("ij,ij->", whole.corners[:, 0], whole.outward) < 0:
             facets = facets[:, ::-1]
-        areas = np.linalg.norm(normals, axis=1)
-        facets = facets[areas > (_ON_SURFACE * size) ** 2]
+        areas = np.linalg.norm(whole.outward, axis=1)
+        facets = facets[areas > (_ON_SURFACE * whole.size) ** 2]
         if not len(facets):
             raise GraspError(f"no facet of {name} has an area; give the surface of a solid")
-        return cls(points, facets, size)
+        return replace(whole, facets=facets)
 
-    @property
+    @cached_property
     def corners(self) -> Floats:
         """(F, 3, 3); the corners of each facet."""
         corners: Floats = self.points[self.facets]
         return corners
 
-    def outward(self, corners: Floats) -> Floats:
-        """Return the outward normals of facets, twice their areas long."""
-        return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    @cached_property
+    def outward(self) -> Floats:
+        """(F, 3); the outward normals of facets, twice their areas long."""
+        a, b, c = self.corners.transpose(1, 0, 2)
+        return np.cross(b - a, c - a)
 
     def exact_inward(self, facet: int) -> RationalVector:
         """Return the inward normal of a facet from the stored corners, of any length."""
@@ -166,15 +167,14 @@ def on_mesh(
     for i, point in enumerate(wanted, 1):
         if max(map(abs, point)) > FARTHEST:
             raise GraspError(f"point {i} is beyond 1e60; give a place near the surface")
-    corners = surface.corners
-    chosen = _nearest(surface, corners, wanted, from_floats(max_distance), smooth)
-    chosen += _drawn(surface, corners, random, seed, facing)
+    chosen = _nearest(surface, wanted, from_floats(max_distance), smooth)
+    chosen += _drawn(surface, random, seed, facing)
     if not chosen:
         raise GraspError("no contacts are requested; give points (--at) or a number (--random)")
     places, facets = zip(*chosen, strict=True)
     inward: Sequence[Sequence[float | Fraction]]
     if smooth:
-        inward = _smooth_inward(surface, corners, facets, [point for point, _ in places])
+        inward = _smooth_inward(surface, facets, [point for point, _ in places])
     else:
         inward = [surface.exact_inward(facet) for facet in facets]
     return converted(
@@ -209,11 +209,7 @@ def _check_closed(facets: Facets, points: int, name: str) -> None:
 
 
 def _nearest(
-    surface: Surface,
-    corners: Floats,
-    wanted: Sequence[RationalVector],
-    max_distance: Fraction,
-    smooth: bool,
+    surface: Surface, wanted: Sequence[RationalVector], max_distance: Fraction, smooth: bool
 ) -> list[Found]:
     """Return for each point its place on the surface, with the change, and a facet there."""
     if not wanted:
@@ -221,6 +217,7 @@ def _nearest(
     with extra("mesh"):
         from trimesh.triangles import closest_point
 
+    corners = surface.corners
     centres = corners.mean(axis=1)
     reach = np.linalg.norm(corners - centres[:, None], axis=2).max(axis=1)
     nearest: list[Found] = []
@@ -243,7 +240,7 @@ def _nearest(
             )
         ties = near[distances <= least + _ON_SURFACE * surface.size]
         if not smooth:
-            _check_smooth(surface.outward(corners[ties]), f"point {i + 1} {vector_text(point)}")
+            _check_smooth(surface.outward[ties], f"point {i + 1} {vector_text(point)}")
         if least <= _ON_SURFACE * surface.size:
             nearest.append(((point, Fraction(0)), int(ties[0])))
             continue
@@ -263,15 +260,13 @@ def _check_smooth(normals: Floats, name: str) -> None:
         )
 
 
-def _drawn(
-    surface: Surface, corners: Floats, number: int, seed: int, facing: Iterable[Any] | None
-) -> list[Found]:
+def _drawn(surface: Surface, number: int, seed: int, facing: Iterable[Any] | None) -> list[Found]:
     """Return random places, evenly spread by area over the facets that may be chosen."""
     if not number:
         if facing is not None:
             raise GraspError("--facing restricts random contacts; add --random")
         return []
-    normals = surface.outward(corners)
+    normals = surface.outward
     areas = np.linalg.norm(normals, axis=1)
     chosen = np.arange(len(areas))
     if facing is not None:
@@ -291,7 +286,7 @@ def _drawn(
     for _ in range(number):
         facet = int(source.choices(chosen, cum_weights=sums)[0])
         a, b = sorted((source.random(), source.random()))
-        place = np.array([a, b - a, 1 - b]) @ corners[facet]
+        place = np.array([a, b - a, 1 - b]) @ surface.corners[facet]
         simple = _simple(place, surface.size)
         change = max(abs(x - Fraction(y)) for x, y in zip(simple, place.tolist(), strict=True))
         drawn.append(((simple, change), facet))
@@ -299,21 +294,19 @@ def _drawn(
 
 
 def _smooth_inward(
-    surface: Surface, corners: Floats, facets: Sequence[int], places: Sequence[RationalVector]
+    surface: Surface, facets: Sequence[int], places: Sequence[RationalVector]
 ) -> list[tuple[float, ...]]:
     """Return inward normals between those of the corners, which are means over facets by area."""
     with extra("mesh"):
         from trimesh.triangles import points_to_barycentric
 
-    normals = surface.outward(corners)
     at_points = np.zeros_like(surface.points)
     for column in surface.facets.T:
-        np.add.at(at_points, column, normals)
+        np.add.at(at_points, column, surface.outward)
     lengths = np.linalg.norm(at_points, axis=1)
     at_points /= np.where(lengths > 0, lengths, 1)[:, None]
-    chosen = np.array(facets)
-    at = np.array(places, float)
-    shares = points_to_barycentric(corners[chosen], at)  # type: ignore[no-untyped-call]
+    chosen, at = np.array(facets), np.array(places, float)
+    shares = points_to_barycentric(surface.corners[chosen], at)  # type: ignore[no-untyped-call]
     between = -np.einsum("ij,ijk->ik", shares, at_points[surface.facets[chosen]])
     return [tuple(row) for row in between.tolist()]
 

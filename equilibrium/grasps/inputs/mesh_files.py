@@ -298,7 +298,6 @@ def _short(content: bytes, what: str) -> bytes:
 
 
 def _numbers(words: Sequence[str], kind: type[float]) -> list[Any]:
-    """Return words as floats or as integers."""
     form, what = (_INTEGER, "a whole number") if kind is int else (_NUMBER, "a number")
     for word in words:
         if not form.fullmatch(word):
@@ -307,7 +306,6 @@ def _numbers(words: Sequence[str], kind: type[float]) -> list[Any]:
 
 
 def _glb(content: bytes) -> Triangles:
-    """Return the triangles of the scene of a file."""
     chunks = dict(_chunks(content))
     if content[:8] != b"glTF\2\0\0\0" or _GLB_JSON not in chunks:
         raise GraspError("a GLB file has the header of version 2 and a chunk of JSON")

@@ -14,6 +14,7 @@ from equilibrium.model.contact import WRENCH_SIZES, Contact
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, ask_contacts
 from equilibrium.model.outline import Polygon
+from equilibrium.model.unit_normal import of_half_tangent
 
 #: Denominator of the half-angle tangents, and of all other numbers.
 _FINE = 64
@@ -61,7 +62,7 @@ def random_wrench(seed: int = 0, *, bound: int = 2, dimension: int = 2) -> Ratio
 def _contact(source: Random, loaded: bool) -> Contact:
     direction = _unit(source)
     # tan(22.5 degrees) is 0.414: half-angle tangents up to 26/64 stay below 45 degrees.
-    cosine, sine = _from_half_angle(Fraction(source.randint(-26, 26), _FINE))
+    cosine, sine = of_half_tangent(Fraction(source.randint(-26, 26), _FINE))
     distance = Fraction(source.randint(_FINE // 2, 3 * _FINE // 2), _FINE)
     x, y = direction
     inward = (-(cosine * x - sine * y), -(sine * x + cosine * y))
@@ -108,7 +109,7 @@ def star_outline(grasp: Grasp) -> Polygon | None:
 
 def _unit(source: Random) -> tuple[Fraction, Fraction]:
     """Return a rational point of the unit circle: a random quadrant, a random half-angle in it."""
-    x, y = _from_half_angle(Fraction(source.randint(-26, 26), _FINE))
+    x, y = of_half_tangent(Fraction(source.randint(-26, 26), _FINE))
     for _ in range(source.randrange(4)):
         x, y = -y, x
     return x, y
@@ -122,8 +123,3 @@ def _around_axis(u: int, v: int, side: int, turns: int) -> RationalVector:
     for _ in range(turns):
         x, y, z = y, z, x
     return x, y, z
-
-
-def _from_half_angle(u: Fraction) -> tuple[Fraction, Fraction]:
-    """Return cosine and sine of twice the angle whose tangent is u."""
-    return (1 - u * u) / (1 + u * u), 2 * u / (1 + u * u)

@@ -201,7 +201,6 @@ class PairValues:
 
 
 def _shape(entry: Any, where: str, keys: tuple[str, ...], is_body: bool = True) -> Shape:
-    """Return a shape of its entry."""
     own = [key for key in _OF_BODIES if isinstance(entry, Mapping) and key in entry]
     if is_body and (more := [key for key in own if key not in keys]):
         raise GraspError(

@@ -303,7 +303,6 @@ def _touches(first: Shape, second: Shape, gap: Fraction) -> Iterator[Touch]:
 
 
 def _round_touches(disc: Shape, other: Shape, form: Circle, gap: Fraction) -> Iterator[Touch]:
-    """Yield where a disc or sphere touches."""
     reach = other.form.radius if isinstance(other.form, Circle) else Fraction(0)
     due, directions = form.radius + reach, list(dict.fromkeys(_ways(form.centre, other)))
     if isinstance(other.form, Polygon) and _contains(form.centre, other):

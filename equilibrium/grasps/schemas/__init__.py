@@ -63,7 +63,6 @@ def parameter_certificate_schema() -> dict[str, Any]:
 
 
 def _with(name: str, **definitions: dict[str, Any]) -> dict[str, Any]:
-    """Return a schema with others among its definitions."""
     schema = _schema(name)
     schema["$defs"] |= definitions
     return schema
