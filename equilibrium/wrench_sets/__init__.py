@@ -4,8 +4,7 @@
 * `line`: magnitudes along a direction; `plane`: the union of polygons in a plane of wrenches, with
   its `outline`; `space`: the whole set as polyhedra.
 * `loads`: arrays of loads on one grasp.
-* `any_direction`: the smallest wrench that is not resisted; `best_direction`: the least force at
-  a point.
+* `any_direction`: the smallest wrench that is not resisted, and the least force at a point.
 * `margin`: factors and preloads; `friction`: the least coefficient; `search_map`: the paper's map.
 * `parameter`: values of a letter in the data; `sufficient_friction`: the least friction of named
   contacts by it, both with certificates.
@@ -15,8 +14,10 @@
 
 from arrangement.numbers.linear.polyhedron import Polyhedron as Polyhedron
 
-from .any_direction import SmallestUnresisted as SmallestUnresisted
-from .best_direction import BestDirection as BestDirection
+from .any_direction import (
+    BestDirection as BestDirection,
+    SmallestUnresisted as SmallestUnresisted,
+)
 from .friction import FrictionBracket as FrictionBracket
 from .line import Magnitudes as Magnitudes
 from .loads import CheckedLoads as CheckedLoads

@@ -1,4 +1,4 @@
-"""The smallest wrench in any direction that a grasp does not resist, exactly.
+"""The smallest wrench, and the least force at a point, that a grasp does not resist, exactly.
 
 The resisted wrenches are finitely many closed convex polyhedra. Those without volume have wrenches
 that are not resisted next to all of theirs, so what counts is how far the boundary of the union of
@@ -8,6 +8,10 @@ polyhedron that has its nearest point and reaches behind it is taken away from i
 smaller polygons. Where there is none the nearest point is the answer; where no polygon is left,
 every wrench is resisted. No polygon loses the same polyhedron twice, so this ends: see "Proofs" in
 the documentation.
+
+The forces at one point are a plane of wrenches, in which the resisted ones are a union of polygons.
+Along a direction resistance ends where the ray leaves them: at an edge of their outline that has
+the load on its inner side. So the least of these forces is the nearest point of all these edges.
 """
 
 from __future__ import annotations
@@ -17,7 +21,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from heapq import heappop, heappush
 from itertools import combinations, count
-from math import isqrt
+from math import atan2, degrees, isqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arrangement.console.number_form import JsonMixin
@@ -28,6 +32,7 @@ from arrangement.numbers.exact import (
     dot,
     primitive,
     rational,
+    rational_vector,
     shown,
     simplest_between,
 )
@@ -37,14 +42,15 @@ from arrangement.numbers.linear.rank import difference
 from equilibrium.core.contact_rows import negated, sum_row
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import read_wrench
-from equilibrium.wrench_sets.outline import outer_facets, polygons_near
+from equilibrium.wrench_sets.outline import Segment, outer_facets, polygons_near
 from equilibrium.wrench_sets.polyhedra import Piece, states_with
 from equilibrium.wrench_sets.separation import both_ways
 
 if TYPE_CHECKING:
     from equilibrium.wrench_sets.resisted_set import ResistedSet
+    from equilibrium.wrench_sets.slice import Region
 
-#: How far `SmallestUnresisted.beyond` is from the boundary at most, as a share of the size.
+#: How far what is not resisted, `beyond`, is from the boundary at most, as a share of the size.
 _BEYOND = Fraction(1, 1000)
 
 
@@ -109,6 +115,7 @@ def smallest_unresisted_wrench(
 
 
 _ORIGIN: RationalVector = (Fraction(0),) * 3
+_NO_FORCE: RationalVector = (Fraction(0), Fraction(0))
 _AXES = tuple(tuple(Fraction(i == j) for j in range(3)) for i in range(3))
 
 
@@ -330,3 +337,110 @@ def _short(vector: RationalVector) -> RationalVector:
     """Return the multiple with entries of at most 1 in size; zeros stay."""
     largest = max(abs(x) for x in vector) or 1
     return tuple(x / largest for x in vector)
+
+
+@dataclass(frozen=True, repr=False)
+class BestDirection(JsonMixin):
+    """The least forces that move an object, and that hold it.
+
+    Attributes:
+        base: the load that acts in any case.
+        point: where the force acts.
+        moving: the least force (f_x, f_y) at which resistance ends as it grows; it is itself
+            resisted. None if no force in any direction ends it.
+        beyond: one that is not resisted, `solve` proves it; from `moving` it is away by at most a
+            thousandth of its size (of 1, if that is 0).
+        holding: where the load alone is not resisted, the least force with which it is; None if
+            there is none.
+    """
+
+    json_fields = ("base", "point", "moving", "size_squared", "degrees", "beyond", "holding")
+
+    base: RationalVector
+    point: RationalVector
+    moving: RationalVector | None
+    beyond: RationalVector | None
+    holding: RationalVector | None
+
+    @property
+    def size_squared(self) -> Fraction | None:
+        """The square of the size of `moving`."""
+        return None if self.moving is None else dot(self.moving, self.moving)
+
+    @property
+    def size(self) -> Fraction | None:
+        """The root of `size_squared`: exact where it is rational, else 64 bits of it."""
+        return None if self.size_squared is None else root(self.size_squared)
+
+    @property
+    def degrees(self) -> float | None:
+        """The angle of `moving` from the x axis, rounded."""
+        return None if not self.size_squared else angle(self.moving)
+
+
+def angle(force: RationalVector | None) -> float:
+    """Return the direction of a force in degrees, from the x axis, rounded."""
+    assert force is not None
+    return degrees(atan2(*map(float, reversed(force))))
+
+
+def best_direction(
+    whole: ResistedSet, base: Iterable[Any] = (0, 0, 0), point: Iterable[Any] = (0, 0)
+) -> BestDirection:
+    """Return the least force at a point that ends resistance; see `ResistedSet.best_direction`.
+
+    Forces that are resisted in one direction alone, next to others that are not, do not count.
+
+    >>> from equilibrium import Contact, Grasp, ResistedSet
+    >>> block = Grasp([Contact([x, 0], [0, 1], "3/4") for x in (-3, 3)])
+    >>> best_direction(ResistedSet(block), [0, -5, 0]).size  # 5 sin(atan 3/4)
+    Fraction(3, 1)
+    """
+    load = read_wrench(base)
+    place = rational_vector(point, "point")
+    if len(place) != 2:
+        raise GraspError(f"point has {len(place)} coordinates; expected 2")
+    x, y = place
+    region = whole.slice((1, 0, -y), (0, 1, x), load)
+    outline, is_held = region.outline, region.contains(_NO_FORCE)
+    ends = [edge for edge in outline.border if edge.constant > 0 or (is_held and not edge.constant)]
+    solid = (p.polyhedron for p in region.polygons if p.polyhedron.dimension == 2)
+    moving = beyond = holding = None
+    if is_held and not any(polygon.contains(_NO_FORCE) for polygon in solid):
+        moving, beyond = _NO_FORCE, _beyond_edge(region, _NO_FORCE, None)
+    elif ends:
+        nearest = ((_nearest(edge), edge) for edge in ends)
+        moving, edge = min(nearest, key=lambda pair: dot(pair[0], pair[0]))
+        beyond = _beyond_edge(region, moving, edge)
+    if not is_held:
+        parts = [_nearest(edge) for edge in (*outline.border, *outline.whiskers)]
+        holding = min([*parts, *outline.points], default=None, key=lambda x: dot(x, x))
+    return BestDirection(load, place, moving, beyond, holding)
+
+
+def _nearest(edge: Segment) -> RationalVector:
+    """Return the point of a part of a line that is nearest to the origin."""
+    along, ends = edge.direction, (edge.start, edge.end)
+    square = dot(along, along)
+    foot = tuple(Fraction(-edge.constant * x, square) for x in edge.normal)
+    low, high = (None if end is None else dot(end, along) for end in ends)
+    if low is not None and low > 0:
+        return edge.start  # type: ignore[return-value]
+    return edge.end if high is not None and high < 0 else foot  # type: ignore[return-value]
+
+
+def _beyond_edge(region: Region, end: RationalVector, edge: Segment | None) -> RationalVector:
+    """Return a force that is not resisted, near an end of the resisted ones on an edge.
+
+    In those of `unresisted_near` p is the end, u leads along the edge, v to its inner side. A
+    polygon with infinitely many of them has p, and covers the outer side of the edge there, or it
+    is flat; but a line has two of them at most. So one is in no polygon.
+
+    Args:
+        edge: None where no polygon with area has the end.
+    """
+    u, v = ((1, 0), (0, 1)) if edge is None else (edge.direction, edge.normal)
+    if edge is not None and end == edge.end:
+        u = (-u[0], -u[1])
+    reach = _BEYOND * (root(dot(end, end)) or 1) / 2 / sum(map(abs, u))
+    return unresisted_near(end, u, v, reach, region.contains)

@@ -23,8 +23,12 @@ from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.synonyms import NAMES
 
-from .any_direction import SmallestUnresisted, smallest_unresisted_wrench
-from .best_direction import BestDirection, best_direction
+from .any_direction import (
+    BestDirection,
+    SmallestUnresisted,
+    best_direction,
+    smallest_unresisted_wrench,
+)
 from .line import Magnitudes, RoundedEnds, ends_within_error, resisted_magnitudes
 from .loads import CheckedLoads, check_loads
 from .margin import Margin, Preloads, chosen_preloads, margin

@@ -20,8 +20,7 @@ from equilibrium.model.errors import UndecidedError
 from equilibrium.model.labels import AS_ROUNDED, ROUNDED
 
 from .along_in_space import SpatialMagnitudes
-from .any_direction import SmallestUnresisted, root
-from .best_direction import BestDirection, angle
+from .any_direction import BestDirection, SmallestUnresisted, angle, root
 from .friction import TOLERANCE, rough_contacts
 from .line import Magnitudes
 from .margin import Margin, Preloads

@@ -39,8 +39,7 @@ from equilibrium.model.grasp import Grasp, ask_contacts
 from equilibrium.model.labels import Units
 
 from .conversion import DEFAULT_TOLERANCE, EXTRAS, USUAL, Conversion, completed, direction_of
-from .incidences import converted
-from .rounding import Rounding, rounding
+from .incidences import Rounding, converted, rounding
 
 if TYPE_CHECKING:
     from arrangement import Arrangement

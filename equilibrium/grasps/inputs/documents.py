@@ -28,8 +28,7 @@ from .conversion import (
     unit_normals,
 )
 from .csv_file import is_table, read_bodies, read_csv
-from .incidences import converted
-from .rounding import rounding
+from .incidences import converted, rounding
 
 #: What a contact between bodies has besides.
 _BODY_KEYS = ("body_a", "body_b")

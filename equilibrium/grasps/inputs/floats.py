@@ -41,8 +41,7 @@ from .conversion import (
     value_columns,
 )
 from .csv_file import Table, is_table, read_rows
-from .incidences import check_number, converted
-from .rounding import equal_numbers, rounding
+from .incidences import check_number, converted, equal_numbers, rounding
 
 #: No float is larger.
 _LARGEST = Fraction(sys.float_info.max)

@@ -29,9 +29,8 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Mesh, coordinates
 
 from .conversion import DEFAULT_TOLERANCE, Conversion, contact_values, snapped
-from .incidences import converted
+from .incidences import converted, rounding
 from .mesh_files import FARTHEST, Facets, read_triangles
-from .rounding import rounding
 
 #: A point is on the surface when it is no farther away than this share of the size.
 _ON_SURFACE = 1e-9

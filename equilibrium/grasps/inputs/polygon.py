@@ -32,8 +32,7 @@ from .conversion import (
     unit_normals,
     value_columns,
 )
-from .incidences import converted
-from .rounding import rounding
+from .incidences import converted, rounding
 
 
 def on_circle(
