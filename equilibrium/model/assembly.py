@@ -297,19 +297,19 @@ class Assembly(ContactValuesMixin):
     @cached_property
     def rows(self) -> ContactRows:
         """N and T of each contact in R^(3b), with three numbers a body in the order of `bodies`."""
-        rows = []
+        names, rows = self.names, []
         for c in self.contacts:
 
             def lifted(wrench: RationalVector, c: BodyContact = c) -> RationalVector:
                 parts = {c.body_a: wrench, c.body_b: tuple(-x for x in wrench)}
-                return tuple(x for name in self.names for x in parts.get(name, _ZERO))
+                return tuple(x for name in names for x in parts.get(name, _ZERO))
 
             contact = c.contact
             tangents = tuple(map(lifted, contact.tangential_wrenches))
             values = (getattr(contact, name) for name in VALUES)
             rows.append(ContactRow(lifted(contact.normal_wrench), tangents, *values))
         points = tuple(c.contact.point for c in self.contacts)
-        return ContactRows(tuple(rows), points, TURNS[2] * len(self.bodies), 1)
+        return ContactRows(tuple(rows), points, TURNS[2] * len(names), 1)
 
     @property
     def weights(self) -> Wrenches:

@@ -10,7 +10,7 @@ gap that is named.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -147,7 +147,16 @@ class ResistedValues(ReprMixin):
     @cached_property
     def certificates(self) -> tuple[dict[str, Any], ...]:
         """The certificate of each piece, as `equilibrium.verify` takes it."""
-        return tuple(_certificate(self.family, piece) for piece in self.pieces)
+        return tuple(
+            {
+                "schema_version": SCHEMA_VERSION,
+                "certificate": piece.verdict,
+                "parameter": parameter_entry(self.family.letter, piece.span),
+                **question_entry(self.family),
+                **piece.proof,
+            }
+            for piece in self.pieces
+        )
 
     def verify(self) -> list[ParameterReport]:
         """Check all certificates again."""
@@ -177,16 +186,16 @@ class ResistedValues(ReprMixin):
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
 
-        def form(span: Span) -> dict[str, Any]:
-            entry = parameter_entry(self.family.letter, span)
-            return {key: x for key, x in entry.items() if key != "letter"}
+        def forms(spans: Iterable[Span]) -> list[Any]:
+            entries = (parameter_entry(self.family.letter, span) for span in spans)
+            return [{key: x for key, x in one.items() if key != "letter"} for one in entries]
 
         of = f"tan({self.family.letter}/2)" if self.family.is_angle else self.family.letter
         return {
             "parameter": parameter_entry(self.family.letter, self.between),
             "values_of": of,
-            "resisted": list(map(form, self.resisted)),
-            "not_resisted": list(map(form, self.not_resisted)),
+            "resisted": forms(self.resisted),
+            "not_resisted": forms(self.not_resisted),
             "undecided": [{"from": to_text(a), "to": to_text(b)} for a, b in self.gaps],
             "ends": [
                 {"value": to_text(end.value), "gives": end.gives and end.gives.to_dict()}
@@ -268,19 +277,14 @@ class _Search:
             self._ask(*value)
         gaps = tuple(Gap(gap.low, gap.high) for gap in self._gaps())
         complete = all(gap.high - gap.low <= self.tolerance for gap in gaps)
-        pieces = tuple(self._merged())
-        known = pieces, gaps, complete, self.tolerance
-        return ResistedValues(self.family, self.between, *known)
-
-    def _merged(self) -> list[Piece]:
-        """Return the pieces with one in place of neighbours, where one proof holds for both."""
         merged: list[Piece] = []
         for piece in self.pieces:
             while merged and (both := self._union(merged[-1], piece)):
                 merged.pop()
                 piece = both
             merged.append(piece)
-        return merged
+        known = tuple(merged), gaps, complete, self.tolerance
+        return ResistedValues(self.family, self.between, *known)
 
     def _union(self, one: Piece, other: Piece) -> Piece | None:
         """Return one piece in place of two neighbours, if one of their proofs holds for both."""
@@ -329,8 +333,7 @@ class _Search:
 
     def _ask(self, value: Fraction, gap: Span) -> None:
         """Decide at a value, and add what its proof proves."""
-        question: Any = self.family.at(value)
-        verdict: Any = solve(*question)
+        verdict: Any = solve(*self.family.at(value))
         self.asked[value] = verdict.verdict
         if verdict.verdict == "undecided":
             return
@@ -369,12 +372,12 @@ class _Search:
         """Return a proof at a value by states alone, if there is one that is not too long."""
         if self.family.names is not None:
             return None if isinstance(tree, dict) and "part" in tree else tree
-        question: Any = self.family.at(value)
-        grasp, wrench = question
+        grasp: Any
+        grasp, wrench = self.family.at(value)
         rows = ContactRows.of_grasp(grasp)
-        contacts, load = IntegerContacts(rows), rows.total_load(wrench)
+        question = IntegerContacts(rows), rows.total_load(wrench)
         try:
-            return StateSplits(contacts, load, HALF_SPACE, _MOST_PROGRAMS).decide()
+            return StateSplits(*question, HALF_SPACE, _MOST_PROGRAMS).decide()
         except TooManyParts:
             return None
 
@@ -616,13 +619,3 @@ def _solved(
         terms = (x * values[k] for k, x in enumerate(line[:-1]) if k not in chosen and x.top)
         known[j] = sum(terms, line[-1]) * -1
     return known
-
-
-def _certificate(family: ParametricQuestion, piece: Piece) -> dict[str, Any]:
-    return {
-        "schema_version": SCHEMA_VERSION,
-        "certificate": piece.verdict,
-        "parameter": parameter_entry(family.letter, piece.span),
-        **question_entry(family),
-        **piece.proof,
-    }

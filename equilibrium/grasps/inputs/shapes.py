@@ -244,17 +244,15 @@ def _dimension(form: Form) -> int:
 
 def _body(entry: Mapping[str, Any], shape: Shape) -> RigidBody:
     form: Any = shape.form
-    weight = rational(entry.get("weight", 0), f"the weight of {shape.name}")
-    density = rational(entry.get("density", 0), f"the density of {shape.name}")
+    weight, density = (
+        rational(entry.get(key, 0), f"the {key} of {shape.name}") for key in ("weight", "density")
+    )
     if density and not area(form):
         raise GraspError(f"the density of {shape.name} is of no polygon; give a weight")
-    centre = entry.get("centre")
-    return RigidBody(
-        shape.name,
-        form,
-        weight + density * area(form),
-        None if centre is None else check_list(centre, f"{shape.name}: centre", 2),  # type: ignore[arg-type]
-    )
+    centre: Any = entry.get("centre")
+    if centre is not None:
+        centre = check_list(centre, f"{shape.name}: centre", 2)
+    return RigidBody(shape.name, form, weight + density * area(form), centre)
 
 
 def _thread(
@@ -283,10 +281,8 @@ def _thread(
     normal, error = unit_normal(difference(end, point), tolerance)
     if error:
         remarks.append(f"direction rounded, in radians: {where}, by {abs(float(error)):.2g}")
-    stiffness, tension = (
-        entry.get(key, default) for key, default in zip(_THREAD, (1, 0), strict=True)
-    )
-    contact = Contact(point, normal, 0, stiffness, tension, thread=end)
+    law = entry.get("stiffness", 1), entry.get("tension", 0)
+    contact = Contact(point, normal, 0, *law, thread=end)
     return entry.get("body_a", ""), entry.get("body_b"), contact
 
 

@@ -130,12 +130,12 @@ class TouchingShapes:
 
     def assembly(self, bodies: Iterable[RigidBody], ground: Iterable[Any] = ()) -> Assembly:
         """Return the assembly of bodies with these contacts; discs stand in their `centres`."""
-        placed = []
-        for body in bodies:
-            if body.name in self.centres and isinstance(body.outline, Circle):
-                outline = Circle(self.centres[body.name], body.outline.radius)
-                body = replace(body, outline=outline)
-            placed.append(body)
+        placed = [
+            replace(body, outline=Circle(self.centres[body.name], body.outline.radius))
+            if body.name in self.centres and isinstance(body.outline, Circle)
+            else body
+            for body in bodies
+        ]
         return Assembly(placed, [BodyContact(*entry) for entry in self.contacts], ground=ground)
 
     @property
