@@ -15,7 +15,7 @@ from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict import Verdict
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.outline import Circle, Outline, Polygon, Segments
-from equilibrium.wrench_sets.margin import limit_words
+from equilibrium.wrench_sets.line import limit_words
 
 from .body import Frame, closed_line, frame_around, stated_body
 from .layout import DrawnBody, DrawnLoad, PlaneLayout

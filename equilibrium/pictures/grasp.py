@@ -23,7 +23,7 @@ from equilibrium.model.outline import Polygon
 from equilibrium.model.solution import Solution
 from equilibrium.plane.states.contact_states import states_at
 from equilibrium.plane.states.equilibrium import Equilibrium
-from equilibrium.wrench_sets.margin import limit_words
+from equilibrium.wrench_sets.line import limit_words
 
 from .assemblies import draw_assembly
 from .body import body, frame_of, free_lengths, stated_body

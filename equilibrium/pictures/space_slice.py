@@ -14,11 +14,10 @@ from arrangement.drawing.scene import Floats, Legend, Scene
 from arrangement.numbers.exact import shown
 from arrangement.pictures.names import stroke
 from equilibrium.decide import NOT_RESISTED, RESISTED, UNDECIDED
-from equilibrium.decide.known_loads import KnownLoads
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
-from equilibrium.wrench_sets.along_in_space import SpatialMagnitudes, spatial_magnitudes
+from equilibrium.wrench_sets.along_in_space import KnownLoads, SpatialMagnitudes, spatial_magnitudes
 
 from .panel import SQUARE, ZERO, Window, clipped, row_of_panels
 from .style import SHADE, symbol

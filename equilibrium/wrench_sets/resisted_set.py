@@ -29,9 +29,17 @@ from .any_direction import (
     best_direction,
     smallest_unresisted_wrench,
 )
-from .line import Magnitudes, RoundedEnds, ends_within_error, resisted_magnitudes
+from .line import (
+    Magnitudes,
+    Margin,
+    Preloads,
+    RoundedEnds,
+    chosen_preloads,
+    ends_within_error,
+    margin,
+    resisted_magnitudes,
+)
 from .loads import CheckedLoads, check_loads
-from .margin import Margin, Preloads, chosen_preloads, margin
 from .polyhedra import Piece, resisted_pieces
 from .search_map import SearchMap, search_map
 from .slice import FORCES, Region, resisted_region

@@ -22,8 +22,7 @@ from equilibrium.model.labels import AS_ROUNDED, ROUNDED
 from .along_in_space import SpatialMagnitudes
 from .any_direction import BestDirection, SmallestUnresisted, angle, root
 from .friction import TOLERANCE, rough_contacts
-from .line import Magnitudes
-from .margin import Margin, Preloads
+from .line import Magnitudes, Margin, Preloads
 from .parameter import ResistedValues
 from .resisted_set import ResistedSet
 from .search_map import SearchMap

@@ -8,10 +8,14 @@ import pytest
 from hypothesis import given, strategies as st
 
 from equilibrium import Contact, Grasp, ResistedSet, solve
-from equilibrium.decide.known_loads import Border, KnownMagnitudes
 from equilibrium.model.errors import EquilibriumError
 from equilibrium.wrench_sets import friction, search_map
-from equilibrium.wrench_sets.along_in_space import _closer, spatial_magnitudes
+from equilibrium.wrench_sets.along_in_space import (
+    Border,
+    KnownMagnitudes,
+    _closer,
+    spatial_magnitudes,
+)
 
 NORMALS = [(1, 0, 0), (0, -1, 0), (0, 0, 1), (Fraction(3, 5), Fraction(4, 5), 0)]
 ANSWERS = st.sampled_from(["resisted", "not resisted", "undecided"])

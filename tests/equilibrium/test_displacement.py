@@ -32,8 +32,7 @@ from equilibrium.pictures.lab.page import DECIDES
 from equilibrium.plane.search.units import unit_of
 from equilibrium.wrench_sets import ResistedSet
 from equilibrium.wrench_sets.along_in_space import spatial_magnitudes
-from equilibrium.wrench_sets.line import resisted_magnitudes
-from equilibrium.wrench_sets.margin import margin, sufficient_preloads
+from equilibrium.wrench_sets.line import margin, resisted_magnitudes, sufficient_preloads
 from equilibrium.wrench_sets.polyhedra import states_with
 
 from . import oracle

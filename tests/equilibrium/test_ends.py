@@ -12,7 +12,7 @@ from equilibrium.decide.solver import Solver
 from equilibrium.grasps.textbook import stack
 from equilibrium.pictures.assemblies import draw_assembly
 from equilibrium.pictures.grasp import draw_grasp
-from equilibrium.wrench_sets.margin import limit_words
+from equilibrium.wrench_sets.line import limit_words
 
 from .strategies import directions, pinches
 

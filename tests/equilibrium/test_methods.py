@@ -39,7 +39,7 @@ from equilibrium.methods.weak_strong import weak_strong
 from equilibrium.model.errors import GraspError
 from equilibrium.pictures.forces import draw_methods
 from equilibrium.wrench_sets import Region
-from equilibrium.wrench_sets.margin import margin
+from equilibrium.wrench_sets.line import margin
 
 from .strategies import grasps
 

@@ -24,8 +24,7 @@ from equilibrium.grasps.inputs import from_float_data, on_circle
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.wrench_sets.along_in_space import spatial_magnitudes
 from equilibrium.wrench_sets.friction import least_friction
-from equilibrium.wrench_sets.line import resisted_magnitudes
-from equilibrium.wrench_sets.margin import margin, sufficient_preloads
+from equilibrium.wrench_sets.line import margin, resisted_magnitudes, sufficient_preloads
 from equilibrium.wrench_sets.polyhedra import resisted_pieces, states_with
 from equilibrium.wrench_sets.search_map import search_map
 from equilibrium.wrench_sets.slice import resisted_region

@@ -29,7 +29,6 @@ from equilibrium.core.exact_parts import ExactParts
 from equilibrium.core.leaves import Leaves, cancelled
 from equilibrium.core.relaxation import Relaxation
 from equilibrium.core.tree import SpatialSearch
-from equilibrium.decide.known_loads import Border, KnownLoads, KnownMagnitudes, _same, blends
 from equilibrium.decide.solver import Solver
 from equilibrium.grasps.inputs import random_grasp, random_wrench, read_any
 from equilibrium.grasps.schemas import certificate_schema
@@ -39,7 +38,16 @@ from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.rows import ContactRows
 from equilibrium.plane.coplanar import decide_in_plane
 from equilibrium.wrench_sets import along_in_space
-from equilibrium.wrench_sets.along_in_space import _bracket, _closer, spatial_magnitudes
+from equilibrium.wrench_sets.along_in_space import (
+    Border,
+    KnownLoads,
+    KnownMagnitudes,
+    _bracket,
+    _closer,
+    _same,
+    blends,
+    spatial_magnitudes,
+)
 from tests.schemas import validator
 
 from . import degenerate, rare, sectors

@@ -13,7 +13,7 @@ from equilibrium.core.contact_rows import any_friction_does
 from equilibrium.decide.solver import Solver
 from equilibrium.model.effort import Effort
 from equilibrium.wrench_sets.friction import least_friction
-from equilibrium.wrench_sets.margin import margin, sufficient_preloads
+from equilibrium.wrench_sets.line import margin, sufficient_preloads
 from equilibrium.wrench_sets.outline import outline_of
 from equilibrium.wrench_sets.search_map import binary_search, compare, search_map
 from equilibrium.wrench_sets.slice import FORCES, polygon_cycle, resisted_region, sectors
