@@ -68,7 +68,7 @@ def check_loads(whole: ResistedSet, wrenches: Any) -> CheckedLoads:
     groups = [[*both_ways(x.inequalities, x.equalities), (0, 0, 0, 1)] for x in shapes]
     rows, usable = scale_rows([row for group in groups for row in group])
     starts = np.cumsum([0, *map(len, groups)])[:-1]
-    #: Whether floats can hold the rows of a piece.
+    # Those of pieces whose rows floats can hold.
     usable = np.logical_and.reduceat(usable, starts) if shapes else usable
     resisted, near_border = np.zeros((2, len(loads)), dtype=bool)
     size = max(1, _NUMBERS // (len(rows) + 1))

@@ -91,8 +91,8 @@ def outline_of(polygons: Sequence[Polyhedron]) -> Outline:
 def _border(solid: Sequence[Polyhedron]) -> Iterator[Segment]:
     """Yield the parts of edges with nothing of the union on their other side."""
     edges = outer_facets(solid)
-    triples = zip(*zip(*edges, strict=True), polygons_near(edges, solid), strict=True)
-    for row, carrying, near in watched(triples, "lines", len(edges)):
+    pairs = zip(edges, polygons_near(edges, solid), strict=True)
+    for (row, carrying), near in watched(pairs, "lines", len(edges)):
         yield from _segments(row, carrying, [p for p in near if row not in p.inequalities])
 
 

@@ -355,17 +355,17 @@ class _Search:
 
     def _proofs(self, value: Fraction, gap: Span, verdict: Any) -> Iterator[Mapping[str, Any]]:
         """Yield proofs that hold at a value, those first that may hold far from it."""
-        family = self.family
+        family, carrier = self.family, _Carrier(self.family, value)
         if verdict.solution is not None:
             for slips in (False, True):
-                carried = _carried(family, value, verdict.solution, slips_at_limit=slips)
+                carried = carrier.equilibrium(verdict.solution, slips_at_limit=slips)
                 if carried is not None:
                     yield carried
         elif (by_states := self._tree_by_states(value, verdict.tree)) is not None:
             is_narrow = gap.high - gap.low <= self.tolerance
             # Of an assembly leaves are rounded, and so near their conditions.
             for room in (1, 0) if is_narrow else (0,) if family.names is None else (-1, 0):
-                yield {"tree": _carried_tree(family, value, by_states, room)}
+                yield {"tree": carrier.tree(by_states, room)}
         yield {key: verdict.proof[key] for key in _PROOF if key in verdict.proof}
 
     def _tree_by_states(self, value: Fraction, tree: Any) -> Any:
@@ -398,224 +398,218 @@ class _Everywhere(Domain):
         return (0 in wanted) != bool(polynomial)
 
 
-def _carried(
-    family: ParametricQuestion, value: Fraction, solution: Solution, *, slips_at_limit: bool
-) -> Mapping[str, Any] | None:
-    """Return motion and forces of the same contact states as functions of the letter.
+class _Carrier:
+    """Proofs at a value, with functions of the letter in place of their numbers."""
 
-    Unknowns that balance and states leave open keep their values.
+    def __init__(self, family: ParametricQuestion, value: Fraction) -> None:
+        self.family, self.value = family, value
+        self.domain = Domain(Span(value, value), letter=family.letter)
+        self.zero: Any = Function.constant(0, _Everywhere(self.domain.span, letter=family.letter))
 
-    Args:
-        slips_at_limit: whether contacts that stick with friction at its limit may slip.
-    """
-    question = _question(family, value)
-    zero, d, states = question.load[0] * 0, solution.motion, list[State]()
-    known = [*d]
-    row: Any
-    for row, (normal, friction) in zip(question.rows, solution.forces, strict=True):
-        slip = _at(row.tangential_wrenches[0], d, value)
-        limit = row.friction.at(value) * normal
-        if not normal:
-            states.append("detached")
-        elif not limit or slip or (abs(friction) == limit and slips_at_limit):
-            share = (friction > 0) - (friction < 0)
-            states.append(ContactState("attached", share=(share,)))
-        else:
-            states.append("stick")
-            known.append(friction)
-    program = ContactProgram(question, tuple(states))
-    lines = [[zero + x for x in row] for row in program.equations]
-    solved = _solved([lines], known, value)
-    if solved is None:
-        return None
-    at = program.values(solved)
-    return {
-        "motion": _motion_entry(family, solved[: len(d)]),
-        "forces": [[(zero + at.of(x)).text() for x in pair] for pair in program.forces],
-    }
+    @cached_property
+    def question(self) -> LinearQuestion:
+        """The question in functions of the letter that have no answers for single values."""
 
+        def functions(row: Iterable[Any]) -> tuple[Any, ...]:
+            return tuple(self.zero + x for x in row)
 
-def _question(family: ParametricQuestion, value: Fraction) -> LinearQuestion:
-    """Return the question in functions of the letter that have no answers for single values."""
-    domain = Domain(Span(value, value), letter=family.letter)
-    zero: Any = Function.constant(0, _Everywhere(domain.span, letter=family.letter))
-    posed = []
-    for wrenches, *values in function_rows(family, domain):
-        along, across, numbers = ([zero + x for x in row] for row in (*wrenches, values))
-        posed.append(ContactRow(tuple(along), (tuple(across),), *numbers))
-    load = tuple(zero + x for x in family.load(domain))
-    return LinearQuestion(ContactRows(tuple(posed), (), (False,) * len(load), 1), load)
+        rows = tuple(
+            ContactRow(functions(along), (functions(across),), *functions(values))
+            for (along, across), *values in function_rows(self.family, self.domain)
+        )
+        load = functions(self.family.load(self.domain))
+        return LinearQuestion(ContactRows(rows, (), (False,) * len(load), 1), load)
 
+    def equilibrium(self, solution: Solution, *, slips_at_limit: bool) -> Mapping[str, Any] | None:
+        """Return motion and forces of the same contact states.
 
-def _carried_tree(family: ParametricQuestion, value: Fraction, tree: Any, room: int) -> Any:
-    """Return a tree by states alone, with functions of the letter for the numbers of its leaves.
+        Unknowns that balance and states leave open keep their values.
 
-    Args:
-        room: of the leaves at the value: 1 for most room, -1 for least, 0 for those of the tree.
-    """
-    domain = Domain(Span(value, value), letter=family.letter)
-    rows, load = function_rows(family, domain), family.load(domain)
-    form = form_of(family, lambda number, _: Fraction(number))
-    question = _question(family, value)
-    carried = {
-        id(leaf): _carried_leaf(family, value, question, room, leaf, place)
-        for leaf, place in placed_leaves(tree, TreeQuestion(rows, load, form))
-    }
-    return with_leaves(tree, lambda leaf: carried[id(leaf)])
+        Args:
+            slips_at_limit: whether contacts that stick with friction at its limit may slip.
+        """
+        question, d, states = self.question, solution.motion, list[State]()
+        known = [*d]
+        row: Any
+        for row, (normal, friction) in zip(question.rows, solution.forces, strict=True):
+            slip = self._sum(row.tangential_wrenches[0], d)
+            limit = row.friction.at(self.value) * normal
+            if not normal:
+                states.append("detached")
+            elif not limit or slip or (abs(friction) == limit and slips_at_limit):
+                share = (friction > 0) - (friction < 0)
+                states.append(ContactState("attached", share=(share,)))
+            else:
+                states.append("stick")
+                known.append(friction)
+        program = ContactProgram(question, tuple(states))
+        lines = [[self.zero + x for x in row] for row in program.equations]
+        solved = self._solved([lines], known)
+        if solved is None:
+            return None
+        at = program.values(solved)
+        return {
+            "motion": self._motion(solved[: len(d)]),
+            "forces": [[(self.zero + at.of(x)).text() for x in pair] for pair in program.forces],
+        }
 
+    def tree(self, tree: Any, room: int) -> Any:
+        """Return a tree by states alone.
 
-def _carried_leaf(
-    family: ParametricQuestion,
-    value: Fraction,
-    question: LinearQuestion,
-    room: int,
-    leaf: Leaf,
-    place: Place,
-) -> Any:
-    """Return a leaf of `_carried_tree`.
+        Args:
+            room: of the leaves at the value: 1 for most room, -1 for least, 0 for those of the
+                tree. A leaf with most room holds on both sides of the value, but less far than the
+                one given.
+        """
+        rows, load = function_rows(self.family, self.domain), self.family.load(self.domain)
+        form = form_of(self.family, lambda number, _: Fraction(number))
+        carried = {
+            id(leaf): self._leaf(room, leaf, place)
+            for leaf, place in placed_leaves(tree, TreeQuestion(rows, load, form))
+        }
+        return with_leaves(tree, lambda leaf: carried[id(leaf)])
 
-    It solves linear equations. What depends on the displacement cancels. As far as they are
-    independent, there follow what holds at the value: multipliers are 0, or as large as possible,
-    and a contact does not slip on the virtual motion.
+    def _leaf(self, room: int, leaf: Leaf, place: Place) -> Any:
+        """Return a leaf of a tree.
 
-    Args:
-        room: see `_carried_tree`; a leaf with most room holds on both sides of the value, but less
-            far than the one given.
-    """
-    zero: Any = question.load[0] * 0
-    n, m = len(leaf.motion), len(question.rows)
-    size = n + 2 * m
+        It solves linear equations. What depends on the displacement cancels. As far as they are
+        independent, there follow what holds at the value: multipliers are 0, or as large as
+        possible, and a contact does not slip on the virtual motion.
+        """
+        zero, question = self.zero, self.question
+        n, m = len(leaf.motion), len(question.rows)
+        size = n + 2 * m
 
-    def equation(terms: Sequence[Any], k: int = 0, factor: int = 0) -> list[Any]:
-        row = [*terms, *[zero] * (size + 1 - len(terms))]
-        row[k] += factor
-        return row
+        def equation(terms: Sequence[Any], k: int = 0, factor: int = 0) -> list[Any]:
+            row = [*terms, *[zero] * (size + 1 - len(terms))]
+            row[k] += factor
+            return row
 
-    values, balance = [*leaf.motion], [equation([]) for _ in leaf.motion]
-    conditions, slips = list[list[Any]](), list[list[Any]]()
-    implied, pushes = list[bool](), [zero] * (2 * m)
-    for i in range(m):
-        state = str(place.states.get(i, "undecided"))
-        spring, slip = question.symbols["spring", i], question.symbols["slip", i, 0]
-        k = n + 2 * i
-        pushes[2 * i] = spring.get(-1, zero)
-        for j, line in enumerate(balance[:n]):
-            line[k], line[k + 1] = spring.get(j, zero), slip.get(j, zero)
-        if state in ("undecided", "detached"):
-            conditions.append(equation([], k, 1))
-        sign = {"slip+": 1, "slip-": -1}.get(state, 0)
-        if sign:
-            conditions.append(equation([], k + 1, -sign))
-        elif state != "stick":
-            balance.append(equation([], k + 1, 1))
-        least = []
-        attached = "attached" if state == "detached" else state
-        for wrench in question.unit_wrenches(i, attached):
-            factor = [zero + x for x in wrench]
-            least.append(_at(factor, leaf.motion, value))
-            if state != "detached":
-                conditions.append(equation(factor, k, -1))
-        if not sign and not question.is_smooth(i):
-            slips.append(equation([slip.get(j, zero) for j in range(n)]))
-        # In a region a contact that is decided has these multipliers, if it is not listed.
-        implied.append(bool(place.region) and state not in ("undecided", "detached"))
-        values += leaf.multipliers.get(i, (Fraction(min(least) * implied[i]), Fraction(0)))
-    if room:
-        work = question.rows.total_load(question.load)
-        values = _with_room(conditions, balance, equation([*work, *pushes]), value, room)
-    zeros = [equation([], k, 1) for k in range(n, size) if not values[k]]
-    tight = [row for row in (*conditions, *slips) if not _at(row, values, value)]
-    solved = _solved([balance, zeros, tight], values, value)
-    assert solved is not None  # Nothing is constant in these equations.
-    pairs = [solved[n + 2 * i : n + 2 * i + 2] for i in range(m)]
-    multipliers = {
-        str(i): [x.text() for x in pair]
-        for i, pair in enumerate(pairs)
-        if implied[i] or any(x.top for x in pair)
-    }
-    motion = _motion_entry(family, solved[:n])
-    is_short = isinstance(motion, list) and not multipliers
-    return motion if is_short else {"virtual_motion": motion, "multipliers": multipliers}
+        values, balance = [*leaf.motion], [equation([]) for _ in leaf.motion]
+        conditions, slips = list[list[Any]](), list[list[Any]]()
+        implied, pushes = list[bool](), [zero] * (2 * m)
+        for i in range(m):
+            state = str(place.states.get(i, "undecided"))
+            spring, slip = question.symbols["spring", i], question.symbols["slip", i, 0]
+            k = n + 2 * i
+            pushes[2 * i] = spring.get(-1, zero)
+            for j, line in enumerate(balance[:n]):
+                line[k], line[k + 1] = spring.get(j, zero), slip.get(j, zero)
+            if state in ("undecided", "detached"):
+                conditions.append(equation([], k, 1))
+            sign = {"slip+": 1, "slip-": -1}.get(state, 0)
+            if sign:
+                conditions.append(equation([], k + 1, -sign))
+            elif state != "stick":
+                balance.append(equation([], k + 1, 1))
+            least = []
+            attached = "attached" if state == "detached" else state
+            for wrench in question.unit_wrenches(i, attached):
+                factor = [zero + x for x in wrench]
+                least.append(self._sum(factor, leaf.motion))
+                if state != "detached":
+                    conditions.append(equation(factor, k, -1))
+            if not sign and not question.is_smooth(i):
+                slips.append(equation([slip.get(j, zero) for j in range(n)]))
+            # In a region a contact that is decided has these multipliers, if it is not listed.
+            implied.append(bool(place.region) and state not in ("undecided", "detached"))
+            values += leaf.multipliers.get(i, (Fraction(min(least) * implied[i]), Fraction(0)))
+        if room:
+            work = question.rows.total_load(question.load)
+            values = self._with_room(conditions, balance, equation([*work, *pushes]), room)
+        zeros = [equation([], k, 1) for k in range(n, size) if not values[k]]
+        tight = [row for row in (*conditions, *slips) if not self._sum(row, values)]
+        solved = self._solved([balance, zeros, tight], values)
+        assert solved is not None  # Nothing is constant in these equations.
+        pairs = [solved[n + 2 * i : n + 2 * i + 2] for i in range(m)]
+        multipliers = {
+            str(i): [x.text() for x in pair]
+            for i, pair in enumerate(pairs)
+            if implied[i] or any(x.top for x in pair)
+        }
+        motion = self._motion(solved[:n])
+        is_short = isinstance(motion, list) and not multipliers
+        return motion if is_short else {"virtual_motion": motion, "multipliers": multipliers}
 
+    def _sum(self, row: Sequence[Any], values: Sequence[Fraction]) -> Fraction:
+        """Return the sum of a row without its constant, with these unknowns, at the value."""
+        pairs = zip(row, values, strict=False)
+        return sum((x.at(self.value) * y for x, y in pairs), Fraction(0))
 
-def _at(row: Sequence[Any], values: Sequence[Fraction], value: Fraction) -> Fraction:
-    """Return the sum of a row without its constant, with these unknowns, at a value."""
-    return sum((x.at(value) * y for x, y in zip(row, values, strict=False)), Fraction(0))
+    def _with_room(
+        self,
+        conditions: Sequence[Sequence[Any]],
+        equations: Sequence[Sequence[Any]],
+        work: Sequence[Any],
+        room: int,
+    ) -> list[Fraction]:
+        """Return unknowns with which the work is 1, and conditions are far above 0 or near it.
 
+        Args:
+            room: 1: each condition is above 0 that is so for some unknowns; rows are homogeneous,
+                so it may be 1. -1: their sum is the least.
+        """
+        size, count = len(work) - 1, len(conditions)
 
-def _with_room(
-    conditions: Sequence[Sequence[Any]],
-    equations: Sequence[Sequence[Any]],
-    work: Sequence[Any],
-    value: Fraction,
-    room: int,
-) -> list[Fraction]:
-    """Return unknowns with which the work is 1, and conditions are far above 0 or near it.
+        def row(terms: Sequence[Any], slack: int = -1, constant: int = 0) -> list[Fraction]:
+            slacks = [Fraction(-(k == slack)) for k in range(count)]
+            return [*(x.at(self.value) for x in terms[:size]), *slacks, Fraction(constant)]
 
-    Args:
-        room: 1: each condition is above 0 that is so for some unknowns; rows are homogeneous, so it
-            may be 1. -1: their sum is the least.
-    """
-    size, count = len(work) - 1, len(conditions)
+        bounds = [
+            [Fraction(sign * (j == size + k)) for j in range(size + count)] + [Fraction(sign < 0)]
+            for k in range(count)
+            for sign in ((1, -1) if room > 0 else (1,))
+        ]
+        found = minimize(
+            [*[Fraction(0)] * size, *[Fraction(-room)] * count],
+            [*(row(terms, k) for k, terms in enumerate(conditions)), *bounds],
+            [*map(row, equations), row(work, constant=-1)],
+        )
+        assert isinstance(found, Optimal)  # There is the leaf of the tree.
+        return list(found.point[:size])
 
-    def row(terms: Sequence[Any], slack: int = -1, constant: int = 0) -> list[Fraction]:
-        slacks = [Fraction(-(k == slack)) for k in range(count)]
-        return [*(x.at(value) for x in terms[:size]), *slacks, Fraction(constant)]
+    def _motion(self, motion: Sequence[Any]) -> Any:
+        texts, names = [x.text() for x in motion], self.family.names
+        if names is None:
+            return texts
+        return {x: texts[3 * k : 3 * k + 3] for k, x in enumerate(names)}
 
-    bounds = [
-        [Fraction(sign * (j == size + k)) for j in range(size + count)] + [Fraction(sign < 0)]
-        for k in range(count)
-        for sign in ((1, -1) if room > 0 else (1,))
-    ]
-    found = minimize(
-        [*[Fraction(0)] * size, *[Fraction(-room)] * count],
-        [*(row(terms, k) for k, terms in enumerate(conditions)), *bounds],
-        [*map(row, equations), row(work, constant=-1)],
-    )
-    assert isinstance(found, Optimal)  # There is the leaf of the tree.
-    return list(found.point[:size])
+    def _solved(
+        self, blocks: Sequence[Sequence[list[Any]]], values: Sequence[Fraction]
+    ) -> list[Any] | None:
+        """Solve linear equations ``row . x + constant = 0``, block by block, by elimination.
 
+        Unknowns without a pivot keep their values. Pivots are chosen by their sizes at the value,
+        and equations that follow there from those before them are left out.
+        """
 
-def _motion_entry(family: ParametricQuestion, motion: Sequence[Any]) -> Any:
-    texts, names = [x.text() for x in motion], family.names
-    return texts if names is None else {x: texts[3 * k : 3 * k + 3] for k, x in enumerate(names)}
+        def less(line: list[Any], other: list[Any], j: int) -> list[Any]:
+            return (
+                [x - line[j] * y for x, y in zip(line, other, strict=True)] if line[j].top else line
+            )
 
+        def largest(line: list[Any]) -> Fraction:
+            sizes = (abs(x.at(self.value)) for x in line[:-1])
+            return max(sizes, default=Fraction(0))
 
-def _solved(
-    blocks: Sequence[Sequence[list[Any]]], values: Sequence[Fraction], at: Fraction
-) -> list[Any] | None:
-    """Solve linear equations ``row . x + constant = 0``, block by block, by elimination.
-
-    Unknowns without a pivot keep their values. Pivots are chosen by their sizes at a value, and
-    equations that follow there from those before them are left out.
-    """
-
-    def less(line: list[Any], other: list[Any], j: int) -> list[Any]:
-        return [x - line[j] * y for x, y in zip(line, other, strict=True)] if line[j].top else line
-
-    def largest(line: list[Any]) -> Fraction:
-        sizes = (abs(x.at(at)) for x in line[:-1])
-        return max(sizes, default=Fraction(0))
-
-    pivots: list[tuple[int, list[Any]]] = []
-    for block in blocks:
-        rest = list(block)
-        for j, other in pivots:
-            rest = [less(line, other, j) for line in rest]
-        while rest:
-            line = rest.pop(max(range(len(rest)), key=lambda k: largest(rest[k])))
-            if not (size := largest(line)):
-                if any(other[-1].at(at) for other in (line, *rest)):
-                    return None
-                break
-            j = next(k for k, x in enumerate(line) if abs(x.at(at)) == size)
-            line = [x / line[j] if x.top else x for x in line]
-            rest = [less(other, line, j) for other in rest]
-            pivots = [(k, less(other, line, j)) for k, other in pivots] + [(j, line)]
-    zero = blocks[0][0][-1] * 0
-    known: list[Any] = [zero + x for x in values]
-    chosen = {j for j, _ in pivots}
-    for j, line in pivots:
-        terms = (x * values[k] for k, x in enumerate(line[:-1]) if k not in chosen and x.top)
-        known[j] = sum(terms, line[-1]) * -1
-    return known
+        pivots: list[tuple[int, list[Any]]] = []
+        for block in blocks:
+            rest = list(block)
+            for j, other in pivots:
+                rest = [less(line, other, j) for line in rest]
+            while rest:
+                line = rest.pop(max(range(len(rest)), key=lambda k: largest(rest[k])))
+                if not (size := largest(line)):
+                    if any(other[-1].at(self.value) for other in (line, *rest)):
+                        return None
+                    break
+                j = next(k for k, x in enumerate(line) if abs(x.at(self.value)) == size)
+                line = [x / line[j] if x.top else x for x in line]
+                rest = [less(other, line, j) for other in rest]
+                pivots = [(k, less(other, line, j)) for k, other in pivots] + [(j, line)]
+        known: list[Any] = [self.zero + x for x in values]
+        chosen = {j for j, _ in pivots}
+        for j, line in pivots:
+            terms = (x * values[k] for k, x in enumerate(line[:-1]) if k not in chosen and x.top)
+            known[j] = sum(terms, line[-1]) * -1
+        return known
