@@ -122,6 +122,22 @@ def test_formulas_become_mathml_with_brackets_that_fit(build):
     assert "Big" not in made
 
 
+@pytest.mark.parametrize(
+    ("text", "markup"),
+    [
+        ("(-1)", '<mo form="prefix">&#x02212;'),
+        ("x = -1", '<mo form="prefix">&#x02212;'),
+        ("x - 1", "<mi>x</mi><mo>&#x02212;"),
+        ("(x) - 1", "</mo><mo>&#x02212;"),
+        ("1/2", '<mo lspace="0" rspace="0">&#x0002F;'),
+        ("|x| y", '<mi>x</mi><mo lspace="0" rspace="0" stretchy="false">&#x0007C;'),
+    ],
+)
+def test_signs_slashes_and_bars_have_the_space_of_tex(build, text, markup):
+    build(LESSON)
+    assert markup in importlib.import_module("handouts").mathml(text, "inline")
+
+
 def test_the_page_of_the_lesson_links_sheets_and_folds_the_answers(build):
     made = build(LESSON)
     page = (made / "one.html").read_text(encoding="utf-8")

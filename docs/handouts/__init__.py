@@ -31,6 +31,13 @@ KINDS = {"slides": "Slides", "exercises": "Exercise sheet", "solutions": "Soluti
 _DARK_CODE = "native"
 #: Of each lesson that was read, its exercises by number.
 _EXERCISES = {}
+#: A sign after an operator that closes no bracket: without a form, a browser sets it as a binary
+#: operator, with space on both sides.
+_SIGN = re.compile(
+    r"(<mo[^>]*>(?!&#x00029;|\]|&#x0007[CD];)[^<]*</mo>)<mo>(?=&#x(?:02212|02213|000B1);)"
+)
+#: A slash, or a bar of an absolute value: TeX puts no space around them.
+_TIGHT = re.compile("<mo(?=[^>]*>&#x000(?:2F|7C);</mo>)")
 _PAGES = Environment(
     loader=FileSystemLoader(Path(__file__).parent), autoescape=True, undefined=StrictUndefined
 )
@@ -80,7 +87,8 @@ def mathml(text, display):
     made = convert(re.sub(r"\\[bB]igg?[lr]?(?![a-zA-Z])", "", text), display=display)
     if "\\" in made:
         raise ValueError(f"latex2mathml does not know a part of {text}")
-    return made
+    made = _SIGN.sub(r'\1<mo form="prefix">', made)
+    return _TIGHT.sub('<mo lspace="0" rspace="0"', made)
 
 
 def inline(tree, source):
@@ -163,7 +171,8 @@ def hand_out(app, tree, name):
         return
     own = copy.deepcopy(tree)
     found = exercises_of(own, name, course(app.srcdir).get("points", 0))
-    write_sheets(app, name, f"Lesson {title(next(own.findall(nodes.section)))}", found.values())
+    number, _, rest = title(next(own.findall(nodes.section))).partition(" ")
+    write_sheets(app, name, f"Lesson {number}: {rest}", found.values())
     _EXERCISES[name.rpartition("/")[2]] = found
     stem = name.rpartition("/")[2]
     kinds = dict(KINDS)
