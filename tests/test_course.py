@@ -39,7 +39,7 @@ def test_each_lecture_takes_ninety_minutes(name):
     lectures = re.split(r"(?m)^Lecture \d+: ", text)[1:]
     minutes = [[int(m) for m in re.findall(r"(?m)^   \* - (\d+)$", one)] for one in lectures]
     assert [sum(one) for one in minutes] == [90] * SYLLABI[name]
-    for part in ("*Aims.*", "*At hand:*", "*Homework.*"):
+    for part in ("*Aims.*", "*Material:*", "*Homework.*"):
         assert all(part in one for one in lectures)
 
 
