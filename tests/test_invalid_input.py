@@ -698,6 +698,9 @@ CASES += [
         ("grade a.csv", "exercises are a Python file", {"a.csv": "student,a\n"}),
         ("grade q.py", "has no exercises", {"q.py": "x = 1"}),
         ("run --verified own.py", "--verified is for the claims of the paper", {"own.py": ""}),
+        ("run fukuda-bound --classes 3..5", "--classes is for claims of FILE.py", {}),
+        ("run --samples 9", "those of the paper have fixed cases", {}),
+        ("run euler --save made", "--save is for claims of FILE.py", {}),
         (
             "grade q.py",
             "two exercises with one id",

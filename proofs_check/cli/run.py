@@ -57,9 +57,16 @@ def _request(names: Iterable[str], arguments: argparse.Namespace) -> _Request:
 
 def run_claims(arguments: argparse.Namespace) -> int:
     """Check claims of the paper by id, all claims of files, or numbers of printed tables."""
+    own = [name for name in ("samples", "classes", "save") if getattr(arguments, name) is not None]
     tables = [name for name in arguments.ids if name == "-" or name.endswith(".csv")]
+    request = _request(arguments.ids, arguments)
+    if own and not request.from_files:
+        raise OwnClaimError(
+            f"--{own[0]} is for claims of FILE.py; those of the paper have fixed cases. Omit it, or "
+            "write a file with `proofs-check new FILE.py`"
+        )
     if not tables:
-        return _run(_request(arguments.ids, arguments), arguments, arguments.jobs)
+        return _run(request, arguments, arguments.jobs)
     if len(tables) < len(arguments.ids) or arguments.output:
         raise OwnClaimError(
             f"{tables[0]} is a table of printed numbers; check it alone, without claims and -o"
