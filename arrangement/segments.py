@@ -45,19 +45,19 @@ class Segments(HintsMixin):
     _synonyms: ClassVar[Mapping[str, str]] = synonyms.SEGMENTS
 
     def __init__(self, ends: Iterable[_Points], names: Names = ()) -> None:
-        given = [entries(pair, "ends", "ends") for pair in entries(ends, "segments", "segments")]
-        for i, pair in enumerate(given):
+        pairs = [entries(pair, "ends", "ends") for pair in entries(ends, "segments", "segments")]
+        for i, pair in enumerate(pairs):
             if len(pair) != 2:
                 raise InputError(f"segments[{i}] is {shown(pair)}; give two points, its ends")
         named = [
-            (f"segments[{i}][{k}]", p) for i, pair in enumerate(given) for k, p in enumerate(pair)
+            (f"segments[{i}][{k}]", p) for i, pair in enumerate(pairs) for k, p in enumerate(pair)
         ]
         points = in_one_field([rational_vector(p, name, entry) for name, p in named])
         self.ends = tuple(zip(points[::2], points[1::2], strict=True))
         for i, (p, q) in enumerate(self.ends):
             if len(p) != 2 or len(q) != 2 or p == q:
                 raise InputError(
-                    f"segments[{i}] is {shown(given[i])}; give two different points of R^2"
+                    f"segments[{i}] is {shown(pairs[i])}; give two different points of R^2"
                 )
 
         self.names = checked_names(names, len(self.ends), "segment")

@@ -25,13 +25,13 @@ def __getattr__(name: str) -> object:
     for package in (arrangement, equilibrium, proofs_check):
         if name in dir(package):
             where = package.__name__
-            told = f"{name} is in {where}: from {where} import {name}"
+            text = f"{name} is in {where}: from {where} import {name}"
             break
     else:
-        told = (
+        text = (
             f"module 'slipstates' has no attribute {name!r}; help(slipstates) says where things are"
         )
-    raise to_importer(AttributeError(told, name=name), sys._getframe(1))
+    raise to_importer(AttributeError(text, name=name), sys._getframe(1))
 
 
 if __name__ == "__main__":

@@ -132,8 +132,8 @@ def _first_numbers(
     arrangement: Planes, symmetry: Sequence[Sequence[int]] | None, deadline: Deadline
 ) -> tuple[int, ...]:
     if symmetry is None:
-        one = partial(_first_numbers, symmetry=None, deadline=deadline)
-        numbers = over_factors(arrangement, one)
+        numbers_of = partial(_first_numbers, symmetry=None, deadline=deadline)
+        numbers = over_factors(arrangement, numbers_of)
         if numbers is not None:
             return numbers
     config = configuration(arrangement)

@@ -61,10 +61,10 @@ def millimetres(value: object, name: str, unit: str = "mm") -> float:
     """
     number: object = value
     if isinstance(value, str):
-        given = value.strip()
-        unit = next((end for end in _UNITS if given.endswith(end)), unit)
+        text = value.strip()
+        unit = next((end for end in _UNITS if text.endswith(end)), unit)
         with suppress(InputError):
-            number = rational(given.removesuffix(unit).strip())
+            number = rational(text.removesuffix(unit).strip())
     if isinstance(number, (int, float, Fraction)) and 0 < number < 100_000:
         length = float(number) * _UNITS[unit]
         if 0 < length < 10_000:  # a tiny number may be 0 as a float

@@ -174,8 +174,8 @@ _LAB = np.array(
 
 def _oklab(rgb: tuple[float, ...]) -> Floats:
     """Return lightness, from 0 to 1, and two coordinates of hue and strength."""
-    given = np.array(rgb[:3])
-    linear = np.where(given <= 0.04045, given / 12.92, ((given + 0.055) / 1.055) ** 2.4)
+    srgb = np.array(rgb[:3])
+    linear = np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
     lab: Floats = _LAB @ np.cbrt(_CONES @ linear)
     return lab
 

@@ -576,6 +576,6 @@ _UNBROKEN: dict[str, Any] = {"break_long_words": False, "break_on_hyphens": Fals
 def _option_list(options: Options, known: Options | None = None) -> str:
     """Return options as a list, without what is known, and against what is known too much."""
     known = known or {}
-    said = [f"{key}={value}" for key, value in options.items() if known.get(key) != value]
+    stated = [f"{key}={value}" for key, value in options.items() if known.get(key) != value]
     unsaid = [_NEUTRAL[key] for key in known if key in _NEUTRAL and key not in options]
-    return ", ".join([*unsaid, *said])
+    return ", ".join([*unsaid, *stated])

@@ -207,7 +207,7 @@ class Printing:
 
     def check(self, kind: str, name: str, suffix: str) -> None:
         """Refuse what does not go with a view, model or page, or with a kind of file."""
-        given = {name for name, x in asdict(self).items() if x is not None and x is not False}
+        names_set = {name for name, x in asdict(self).items() if x is not None and x is not False}
         for names, fits, what in (
             (
                 {"font_size", "theme", "legend"},
@@ -230,10 +230,10 @@ class Printing:
             ({"frames"}, suffix in MOVIES, "frames are for .gif and .mp4"),
             ({"columns"}, "," in name, "columns are for several views, such as sphere,dual"),
         ):
-            if given & names and not fits:
+            if names_set & names and not fits:
                 raise InputError(f"{what}, and the file name ends in {suffix}")
         for name, known in (("theme", THEMES), ("legend", LEGENDS), ("text", LETTERS)):
-            if name in given:
+            if name in names_set:
                 check_choice(name, getattr(self, name), known)
         if self.dpi is not None and self.dpi not in DPIS:
             raise InputError(f"dpi is {shown(self.dpi)}; expected {DPIS[0]} to {DPIS[-1]}")
@@ -494,8 +494,8 @@ class Drawings:
         for part in names:
             own = self.options("view", part).keys() & options.keys()
             view = self.function("view", part)
-            given = {key: options[key] for key in own}
-            parts.append(view.scene(subject, **{**self.views[part].in_panels, **given}))
+            chosen = {key: options[key] for key in own}
+            parts.append(view.scene(subject, **{**self.views[part].in_panels, **chosen}))
         return panel_sheet(parts, count)
 
     @_within_floats()

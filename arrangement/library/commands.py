@@ -58,9 +58,9 @@ def make(arguments: argparse.Namespace) -> int:
     """Write the member that the options ask for, in file form with one plane a line."""
     family = _families()[arguments.family]
     members = {name: getattr(arguments, name) for name in options_of(family)}
-    given = ", ".join(f"{key} = {value}" for key, value in members.items())
+    values = ", ".join(f"{key} = {value}" for key, value in members.items())
     made = family(**members).to_dict()
-    made["description"] = f"{arguments.family}, {given}" if given else arguments.family
+    made["description"] = f"{arguments.family}, {values}" if values else arguments.family
     write_or_print(arguments.output, document_text(made))
     return terminal.YES
 

@@ -78,11 +78,11 @@ class NumberField:
     root: AlgebraicNumber
 
     def __init__(self, polynomial: Any, interval: Any) -> None:
-        given = rational_vector(polynomial, "the minimal polynomial")
+        coefficients = rational_vector(polynomial, "the minimal polynomial")
         ends = rational_vector(interval, "the interval")
-        low, high = checked_ends(given, ends)
-        n = len(given) - 1
-        monic = [x / given[-1] for x in given]
+        low, high = checked_ends(coefficients, ends)
+        n = len(coefficients) - 1
+        monic = [x / coefficients[-1] for x in coefficients]
         scale = integral_multiple(monic)
         integers = [int(x * scale ** (n - k)) for k, x in enumerate(monic)]
         start, factor = Fraction(0), Fraction(1, scale)  # the root is start + factor * generator
@@ -275,8 +275,8 @@ class NumberField:
     @cached_property
     def float_powers(self) -> tuple[float, ...]:
         """The powers of the generator; infinite where floats cannot be trusted with them."""
-        one = 1 << _BITS
-        powers = [p / one if abs(p) < _LARGEST * one else math.inf for p in self._scale(_BITS)]
+        unit = 1 << _BITS
+        powers = [p / unit if abs(p) < _LARGEST * unit else math.inf for p in self._scale(_BITS)]
         return tuple(p if abs(p) >= _SMALLEST else math.inf for p in powers)
 
     def _scale(self, bits: int) -> tuple[int, ...]:
@@ -327,16 +327,16 @@ MAX_DEGREE = 16
 MAX_DIGITS = 100
 
 
-def checked_ends(given: RationalVector, ends: RationalVector) -> tuple[Fraction, Fraction]:
+def checked_ends(terms: RationalVector, ends: RationalVector) -> tuple[Fraction, Fraction]:
     """Return the ends of the interval, if it isolates a root of an irreducible polynomial."""
-    n = len(given) - 1
-    text = shown([to_text(x) for x in given])
-    if not 2 <= n <= MAX_DEGREE or not given[-1]:
+    n = len(terms) - 1
+    text = shown([to_text(x) for x in terms])
+    if not 2 <= n <= MAX_DEGREE or not terms[-1]:
         raise InputError(
             f"the minimal polynomial is {text}; its coefficients stand from the constant term up, "
             f"the last one is not 0, and its degree is 2 to {MAX_DEGREE}"
         )
-    if any(max(abs(x.numerator), x.denominator) >= 10**MAX_DIGITS for x in given):
+    if any(max(abs(x.numerator), x.denominator) >= 10**MAX_DIGITS for x in terms):
         raise InputError(
             f"the minimal polynomial is {text}; its coefficients may have up to {MAX_DIGITS} digits"
         )
@@ -345,14 +345,14 @@ def checked_ends(given: RationalVector, ends: RationalVector) -> tuple[Fraction,
             f"the interval is {shown([to_text(x) for x in ends])}; give its two ends, the lower "
             "one first"
         )
-    factors = _polynomial(given).factor()[1]
+    factors = _polynomial(terms).factor()[1]
     if [power for _, power in factors] != [1]:
         raise InputError(
             f"the minimal polynomial {text} is reducible over Q; give the factor that has the root"
         )
     low, high = ends
-    if (roots := count_roots(given, low, high)) != 1:
-        real = count_roots(given) > 0
+    if (roots := count_roots(terms, low, high)) != 1:
+        real = count_roots(terms) > 0
         none = "no real root there" if real else "no real root at all, so no real embedding"
         raise InputError(
             f"the minimal polynomial {text} has {roots or none} "

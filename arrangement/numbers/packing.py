@@ -17,9 +17,9 @@ _HALF = np.uint64(32)
 
 def pack(bits: Bits, classes: int = 1) -> Words:
     """Pack the last axis into words, which have room for a number of classes at least."""
-    given = bits.shape[-1]
-    padded = np.zeros((*bits.shape[:-1], 64 * -(-max(given, classes) // 64)), bool)
-    padded[..., :given] = bits
+    width = bits.shape[-1]
+    padded = np.zeros((*bits.shape[:-1], 64 * -(-max(width, classes) // 64)), bool)
+    padded[..., :width] = bits
     packed = np.packbits(padded, axis=-1, bitorder="little")
     return packed.view("<u8").astype(np.uint64, copy=False)
 

@@ -91,16 +91,16 @@ def planes_of(
     equations: Iterable[Any], symbols: Iterable[sympy.Symbol] | None
 ) -> tuple[list[RationalVector], list[Fraction], int]:
     """Return normals, offsets and dimension; see `Arrangement.from_equations`."""
-    given = [_left_side(equation, i) for i, equation in enumerate(equations)]
+    sides = [_left_side(equation, i) for i, equation in enumerate(equations)]
     if symbols is None:
         from sympy import default_sort_key
 
-        variables = sorted(set().union(*(e.free_symbols for e in given)), key=default_sort_key)
+        variables = sorted(set().union(*(e.free_symbols for e in sides)), key=default_sort_key)
     else:
         variables = list(entries(symbols, "symbols", "symbols"))
         _check_symbols(variables)
     budget.check_size(len(variables), "coordinates")
-    rows = [_coefficients(e, variables, f"equations[{i}]") for i, e in enumerate(given)]
+    rows = [_coefficients(e, variables, f"equations[{i}]") for i, e in enumerate(sides)]
     return [row[:-1] for row in rows], [-row[-1] for row in rows], len(variables)
 
 

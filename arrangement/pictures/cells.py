@@ -157,7 +157,7 @@ def cells_page(
     towards = clear_sight(cells) if camera is None else view_direction(camera)
     points = unit_points(cells)
     faces: list[tuple[tuple[int, ...], PageFace]] = []
-    told = []
+    facts_of_cells = []
     regions = {face.signs: face for face in arrangement.regions()}
     firsts = arrangement.distinct_planes
     for k, cell in enumerate(cells.cells):
@@ -168,7 +168,7 @@ def cells_page(
         whole = "whole" if len(walls) == len(set(cell.walls)) else "cut off"
         point = EXACT.vector(regions[cell.signs].witness)
         facts = [("planes", planes or "none"), ("a point", point), ("in the cube", whole)]
-        told.append((sign or "all", facts))
+        facts_of_cells.append((sign or "all", facts))
     legend = [
         (
             fills[label],
@@ -186,7 +186,7 @@ def cells_page(
         picture_axes(towards),
         3**0.5,
         plane_tree(firsts, faces),
-        told,
+        facts_of_cells,
         [*legend, (SKIN, "cut by the cube")],
         apart=float(explode),
     ).text()

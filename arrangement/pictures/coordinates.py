@@ -246,11 +246,11 @@ def in_coordinates(
     rows, scale = rounded_map(matrix, 1 << 10)
     moved = apply_map(rows, scale, arrangement)
     if direction is not None and len(rows) == 3:
-        given = real_vector(direction, "camera")
-        if len(given) == 3:
+        view = real_vector(direction, "camera")
+        if len(view) == 3:
             one, two, three = rows
             cofactors = (cross(two, three), cross(three, one), cross(one, two))
-            direction = [dot(row, given) for row in cofactors]
+            direction = [dot(row, view) for row in cofactors]
     inverse: Floats = scale * np.linalg.inv(np.array(rows, float)).T
     return moved, direction, lambda point: np.asarray(inverse @ point)
 

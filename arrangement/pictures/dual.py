@@ -468,8 +468,8 @@ class _SolidPanel:
             if not write_if_free(self.scene, texts, SIZES, places, off=off, color=colour):
                 missing += texts[:1] * (not hidden)
         if missing and self.names.requested:
-            some = ", ".join(sorted(missing, key=lambda text: (len(text), text)))
-            note(f"no room for the names of vertices {some} of the dual, which are left out")
+            vertices = ", ".join(sorted(missing, key=lambda text: (len(text), text)))
+            note(f"no room for the names of vertices {vertices} of the dual, which are left out")
 
 
 _HULL_STYLES: dict[int, dict[str, Any]] = {

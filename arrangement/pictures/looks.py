@@ -147,8 +147,8 @@ def _restyle(item: Item, by_element: Mapping[int, Look], by_text: Mapping[str, L
             return replace(item, style={**item.style, "plate": {**plate, "fc": look.colour}})
         return replace(item, style={**item.style, "color": readable(look.colour)})
     for pattern, restyle in ((_STROKE, _restroke), (_FILL, _refill)):
-        found = pattern.fullmatch(item.name)
-        if found and (look := by_element.get(int(next(filter(None, found.groups()))))):
+        match = pattern.fullmatch(item.name)
+        if match and (look := by_element.get(int(next(filter(None, match.groups()))))):
             return restyle(item, look)
     return item
 

@@ -66,8 +66,8 @@ class RegionLabels:
             labels = None if labels else "none"
         if labels is not None and labels not in LABELS:
             self._own = self._read(labels)
-            some = set(self._own.values()) - {None}
-            labels = ("signs" if len(arrangement) <= SHORT else "numbers") if not some else "own"
+            own = set(self._own.values()) - {None}
+            labels = ("signs" if len(arrangement) <= SHORT else "numbers") if not own else "own"
         self.kind = labels or ("signs" if len(arrangement) <= SHORT else "numbers")
         self.requested, self._tabled = labels is not None, math.inf if labels else TABLED
         if labels is None and self.kind == "numbers":

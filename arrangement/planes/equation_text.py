@@ -67,8 +67,8 @@ def planes_of_text(
     """
     rows: list[Counter[str]] = []
     names: dict[int, str] = {}
-    for i, given in enumerate(lines, 1):
-        line = given.replace("\u2212", "-")
+    for i, text_line in enumerate(lines, 1):
+        line = text_line.replace("\u2212", "-")
         if named := _NAMED.fullmatch(line):
             names[i], line = named.groups()
         if "=" not in line and not is_equation(line):

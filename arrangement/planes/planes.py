@@ -111,12 +111,12 @@ class Planes(HintsMixin):
         axes: Iterable[str] = (),
         names: Names = (),
     ) -> None:
-        given = _rows_as_list(normals)
-        entries = sum(len(row) for row in given if isinstance(row, (list, tuple)))
+        listed = _rows_as_list(normals)
+        entries = sum(len(row) for row in listed if isinstance(row, (list, tuple)))
         budget.check_cost(f"{entries:,} numbers", "give fewer planes", bytes=60 * entries)
-        plain = plain_rows(given)
+        plain = plain_rows(listed)
         rows: list[Any] = plain or [
-            rational_vector(row, f"normal {i + 1}", entry) for i, row in enumerate(given)
+            rational_vector(row, f"normal {i + 1}", entry) for i, row in enumerate(listed)
         ]
         if offsets is None:
             constants: Any = (0,) * len(rows)
@@ -175,14 +175,14 @@ class Planes(HintsMixin):
         """
         if isinstance(equations, str):
             equations = re.split("[,;]", equations)
-        given = entries(equations, "equations", "equations")
-        if given and all(isinstance(equation, str) for equation in given):
+        sides = entries(equations, "equations", "equations")
+        if sides and all(isinstance(equation, str) for equation in sides):
             kind = "symbols, after all equations in one text or list"
             listed = () if symbols is None else entries(symbols, "symbols", kind)
             axes = None if symbols is None else list(map(str, listed))
-            rows, constants, axes, names = planes_of_text(given, axes)
+            rows, constants, axes, names = planes_of_text(sides, axes)
             return cls(rows, constants, dimension=len(axes), names=names)
-        normals, offsets, dimension = planes_of(given, symbols)
+        normals, offsets, dimension = planes_of(sides, symbols)
         return cls(normals, offsets, dimension=dimension or None)
 
     def equations(self, symbols: Iterable[sympy.Symbol] | None = None) -> tuple[sympy.Eq, ...]:

@@ -27,10 +27,10 @@ def exact_points(points: str | Iterable[Iterable[Any]]) -> list[tuple[Any, ...]]
     Raises:
         InputError: no points, points of different spaces, or one that comes again.
     """
-    given: Any = points
+    listed: Any = points
     if isinstance(points, str):
-        given = [[x.strip() for x in point.split(",")] for point in points.split(";")]
-    rows = entries(given, "points", "points")
+        listed = [[x.strip() for x in point.split(",")] for point in points.split(";")]
+    rows = entries(listed, "points", "points")
     made = in_one_field([rational_vector(row, f"points[{i}]", entry) for i, row in enumerate(rows)])
     if not made or len({len(point) for point in made}) > 1 or not made[0]:
         raise InputError(

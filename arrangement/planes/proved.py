@@ -58,8 +58,8 @@ def ask_proved(
     Raises:
         InputError: there is no such program, or it cannot read the file.
     """
-    code, said = _run(arguments, text, error, seconds)
-    answer, _, rest = said.strip().partition(": ")
+    code, output = _run(arguments, text, error, seconds)
+    answer, _, rest = output.strip().partition(": ")
     if (code, answer) not in ((0, "accepted"), (0, "counted"), (1, "refused")):
         raise error(f"the verified checker cannot read {arguments[-1]!r}: {rest or answer}")
     return answer, rest
@@ -67,8 +67,8 @@ def ask_proved(
 
 def ask_proved_each(option: str, documents: Iterable[str]) -> list[str]:
     """Return what one run of the program counts in each of many documents, each of one line."""
-    _, said = _run(("--lines", option, "-"), "\n".join(documents), InputError)
-    return [line.removeprefix("counted: ") for line in said.splitlines()]
+    _, output = _run(("--lines", option, "-"), "\n".join(documents), InputError)
+    return [line.removeprefix("counted: ") for line in output.splitlines()]
 
 
 def _run(
@@ -87,19 +87,19 @@ def _run(
     with subprocess.Popen(
         [path, *arguments], stdin=stdin, stdout=subprocess.PIPE, text=True, errors="replace"
     ) as process:
-        said = None
+        output = None
         try:
             for _ in progress.watched(range(round(seconds)), "seconds"):
                 with suppress(subprocess.TimeoutExpired):
-                    said, _ = process.communicate(text, timeout=1)
+                    output, _ = process.communicate(text, timeout=1)
                     break
                 text = None  # it has been sent
-            if said is None:
-                said, _ = process.communicate(text)
+            if output is None:
+                output, _ = process.communicate(text)
         except BaseException:
             process.kill()
             raise
-    return process.returncode, said
+    return process.returncode, output
 
 
 def proved_f_vector(planes: Planes) -> tuple[int, ...]:
@@ -115,8 +115,8 @@ def proved_f_vector(planes: Planes) -> tuple[int, ...]:
 def proved_f_vectors(many: Iterable[Planes]) -> list[tuple[int, ...]]:
     """Return `proved_f_vector` of each of many short arrangements, from one run of the program."""
     listed = list(many)
-    said = ask_proved_each("--faces", (json.dumps(_document(planes)) for planes in listed))
-    pairs = zip(said, listed, strict=True)
+    outputs = ask_proved_each("--faces", (json.dumps(_document(planes)) for planes in listed))
+    pairs = zip(outputs, listed, strict=True)
     return [_pad(text, planes.dimension)[::-1] for text, planes in pairs]
 
 
@@ -146,8 +146,8 @@ def _numbers(option: str, planes: Planes, last: int, deepest: int) -> tuple[int,
     return _pad(ask_proved(option, "-", text=text, seconds=seconds)[1], last)
 
 
-def _pad(said: str, last: int) -> tuple[int, ...]:
-    numbers = [int(word) for word in said.split()][: last + 1]
+def _pad(output: str, last: int) -> tuple[int, ...]:
+    numbers = [int(word) for word in output.split()][: last + 1]
     return (*numbers, *[0] * (last + 1 - len(numbers)))
 
 

@@ -92,37 +92,40 @@ def product(row: Iterable[Interval], column: Iterable[Interval]) -> Interval:
 
 
 def enclosure_problem(
-    grasp: Grasp, wrench: RationalVector, given: Enclosure, max_displacement: Fraction | None = None
+    grasp: Grasp,
+    wrench: RationalVector,
+    enclosure: Enclosure,
+    max_displacement: Fraction | None = None,
 ) -> str:
     """Return why an enclosure shows no equilibrium that counts, or nothing."""
-    felt_contacts = felt_by(grasp, given.basis)
+    felt_contacts = felt_by(grasp, enclosure.basis)
     wrench = applied((felt.contact for felt in felt_contacts), wrench)
-    for i, (felt, friction) in enumerate(zip(felt_contacts, given.friction, strict=True)):
+    for i, (felt, friction) in enumerate(zip(felt_contacts, enclosure.friction, strict=True)):
         _, *tangents = felt.contact.wrenches
-        if friction and any(dot(t, motion) for motion in given.basis for t in tangents):
+        if friction and any(dot(t, motion) for motion in enclosure.basis for t in tangents):
             return f"contact {i + 1} sticks, and a motion of the basis moves it"
         if friction and dot(friction, friction) > 1:
             return f"contact {i + 1} sticks, and has a friction above its limit"
-    for i, _ in given.pillars:
-        if not given.friction[i]:
+    for i, _ in enclosure.pillars:
+        if not enclosure.friction[i]:
             return f"contact {i + 1} is a pillar and does not stick"
-    pairs = zip(felt_contacts, given.friction, strict=True)
+    pairs = zip(felt_contacts, enclosure.friction, strict=True)
     works = [wrench, *chain(*(felt.noticed for felt, friction in pairs if friction is not None))]
-    if any(dot(row, motion) for *motion, _ in given.idle for row in works):
+    if any(dot(row, motion) for *motion, _ in enclosure.idle for row in works):
         return "a null-space motion moves an attached contact, or the load does work on it"
-    if any(r <= 0 for r in given.radius):
+    if any(r <= 0 for r in enclosure.radius):
         return "a radius of the enclosure is not above 0"
     box = [
         Interval(interval(m - r).low, interval(m + r).high)
-        for m, r in zip(given.centre, given.radius, strict=True)
+        for m, r in zip(enclosure.centre, enclosure.radius, strict=True)
     ]
-    centre = [interval(m) for m in given.centre]
+    centre = [interval(m) for m in enclosure.centre]
     try:
-        value, _ = _balance(felt_contacts, wrench, given, centre, max_displacement, 0)
-        _, derivative = _balance(felt_contacts, wrench, given, box, max_displacement, len(box))
+        value, _ = _balance(felt_contacts, wrench, enclosure, centre, max_displacement, 0)
+        _, derivative = _balance(felt_contacts, wrench, enclosure, box, max_displacement, len(box))
     except BrokenLaw as broken:
         return str(broken)
-    inverse = [[interval(x) for x in row] for row in given.inverse]
+    inverse = [[interval(x) for x in row] for row in enclosure.inverse]
     away = [x.plus(m.negative()) for x, m in zip(box, centre, strict=True)]
     for j, row in enumerate(inverse):
         rest = [
@@ -130,8 +133,8 @@ def enclosure_problem(
             for k, column in enumerate(zip(*derivative, strict=True))
         ]
         step = product(row, value).negative()
-        found = total((centre[j], step, product(rest, away)))
-        if not box[j].low < found.low <= found.high < box[j].high:
+        image = total((centre[j], step, product(rest, away)))
+        if not box[j].low < image.low <= image.high < box[j].high:
             return f"the enclosure is not mapped into itself in coordinate {j + 1}"
     return ""
 
@@ -186,7 +189,7 @@ class Linear(NamedTuple):
 def _balance(
     contacts: Sequence[Felt],
     wrench: RationalVector,
-    given: Enclosure,
+    enclosure: Enclosure,
     box: Sequence[Interval],
     max_displacement: Fraction | None,
     unknowns: int,
@@ -201,7 +204,9 @@ def _balance(
     """
     zeros = [Interval(0, 0)] * unknowns
     sums = [Linear(interval(w), zeros) for w in wrench]
-    for i, ((contact, slopes), friction) in enumerate(zip(contacts, given.friction, strict=True)):
+    for i, ((contact, slopes), friction) in enumerate(
+        zip(contacts, enclosure.friction, strict=True)
+    ):
         moved = [Linear(product(row, box), row[:unknowns]) for row in slopes]
         if max_displacement is not None:
             most = interval(max_displacement).low
@@ -219,17 +224,19 @@ def _balance(
         if not contact.friction:
             forces = [limit, limit]
         elif friction:
-            forces = _sticking(i, limit, friction, given, box)
+            forces = _sticking(i, limit, friction, enclosure, box)
         else:
             forces = [limit.times(x).by(-1) for x in unit_slip(i, moved[1:])]
         for force, row in zip((normal, *forces), contact.wrenches, strict=True):
-            sums = [one.plus(force.by(x)) if x else one for one, x in zip(sums, row, strict=True)]
-    for *motion, x in given.idle:
-        slopes_of = _slopes(tuple(motion), given.basis)
+            sums = [
+                entry.plus(force.by(x)) if x else entry for entry, x in zip(sums, row, strict=True)
+            ]
+    for *motion, x in enclosure.idle:
+        slopes_of = _slopes(tuple(motion), enclosure.basis)
         turned = Linear(product(slopes_of, box), slopes_of[:unknowns])
         turned = turned.plus(Linear(interval(-x), zeros))
-        sums = [one.plus(turned.by(x)) for one, x in zip(sums, motion, strict=True)]
-    return [one.value for one in sums], [one.slopes for one in sums]
+        sums = [entry.plus(turned.by(x)) for entry, x in zip(sums, motion, strict=True)]
+    return [entry.value for entry in sums], [entry.slopes for entry in sums]
 
 
 def _slopes(row: RationalVector, basis: Sequence[RationalVector]) -> list[Interval]:
@@ -239,12 +246,14 @@ def _slopes(row: RationalVector, basis: Sequence[RationalVector]) -> list[Interv
 
 
 def _sticking(
-    i: int, limit: Linear, share: RationalVector, given: Enclosure, box: Sequence[Interval]
+    i: int, limit: Linear, share: RationalVector, enclosure: Enclosure, box: Sequence[Interval]
 ) -> list[Linear]:
     """Return the friction forces of a contact that sticks."""
     forces = [limit.by(x) for x in share]
     carried = [
-        (k, j) for k, (pillar, j) in enumerate(given.pillars, len(given.basis)) if pillar == i
+        (k, j)
+        for k, (pillar, j) in enumerate(enclosure.pillars, len(enclosure.basis))
+        if pillar == i
     ]
     for k, j in carried:
         slopes = [interval(int(k == other)) for other in range(len(limit.slopes))]
@@ -263,8 +272,8 @@ def unit_slip(i: int, slip: Sequence[Linear]) -> list[Linear]:
     root = square.inverse_root()
     units = [s.value.times(root) for s in slip]
     along = [product(units, column) for column in zip(*(s.slopes for s in slip), strict=True)]
-    found = []
+    direction = []
     for u, s in zip(units, slip, strict=True):
         across = zip(s.slopes, along, strict=True)
-        found.append(Linear(u, [x.plus(u.times(y).negative()).times(root) for x, y in across]))
-    return found
+        direction.append(Linear(u, [x.plus(u.times(y).negative()).times(root) for x, y in across]))
+    return direction

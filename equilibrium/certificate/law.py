@@ -118,8 +118,8 @@ def law_problem(
         limit = contact.friction * normal
         inside = _in_cone(friction, limit, edges)
         if not inside or not _does_most(friction, slip, limit, edges):
-            given = f"contact {i}: friction {_shown(friction)} of at most {short(limit)}"
-            return given + f" while it slips by {_shown(slip)}" * inside
+            problem = f"contact {i}: friction {_shown(friction)} of at most {short(limit)}"
+            return problem + f" while it slips by {_shown(slip)}" * inside
         pushes += normal, *friction
         along_axes += contact.wrenches
     columns = zip(*along_axes, strict=True) if along_axes else ([] for _ in wrench)

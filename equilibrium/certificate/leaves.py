@@ -69,8 +69,8 @@ def works(
     load = applied(law_rows(grasp), wrench)
     each = [_works(question, Fraction(dot(load, part.leaf.motion)), part) for part in together]
     factors = [
-        min((factor for factor in some if factor is not None), default=None)
-        for some in zip(*(done.factors for done in each), strict=True)
+        min((factor for factor in candidates if factor is not None), default=None)
+        for candidates in zip(*(done.factors for done in each), strict=True)
     ]
     return Works(each[0].load, factors, min(done.least for done in each))
 

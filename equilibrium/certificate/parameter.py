@@ -226,8 +226,8 @@ def read_parameter(entry: Any) -> tuple[str, Span]:
     low, high = (rational(entry[key], f"parameter.{key}") for key in ("from", "to"))
     without = check_list(entry.get("without", []), "parameter.without")
     if not all(end in ("from", "to") for end in without) or len({*without}) < len(without):
-        given = shown(without)
-        raise CertificateError(f'parameter.without is {given}; expected "from", "to" or both')
+        ends = shown(without)
+        raise CertificateError(f'parameter.without is {ends}; expected "from", "to" or both')
     span = Span(low, high, "from" not in without, "to" not in without)
     if low > high or (low == high and without):
         raise CertificateError(f"the interval {span} has no values; expected from below to")

@@ -245,11 +245,11 @@ def read_motion(
     if form.bodies is None:
         return _rationals(content, form.size, where, form.read)
     due, rest = ((), form.bodies) if some_bodies else (form.bodies, ())
-    given = check_keys(content, due, rest, where)
+    entries = check_keys(content, due, rest, where)
     size = form.size // max(1, len(form.bodies))
     rows = (
-        _rationals(given[name], size, f"{where}.{name}", form.read)
-        if name in given
+        _rationals(entries[name], size, f"{where}.{name}", form.read)
+        if name in entries
         else (Fraction(0),) * size
         for name in form.bodies
     )
@@ -336,8 +336,8 @@ def read_node(content: Any, path: str, contacts: int, form: TreeForm) -> Leaf | 
         return Split(kind, contact, _children(content, kind, path, None))
     if kind == "directions":
         where = f"{path}.{kind}"
-        given = enumerate(check_list(content[kind], where))
-        directions = tuple(_rationals(row, 2, f"{where}[{i}]") for i, row in given)
+        rows = enumerate(check_list(content[kind], where))
+        directions = tuple(_rationals(row, 2, f"{where}[{i}]") for i, row in rows)
         count = max(2, len(directions) + 1)
         return Split(kind, contact, _children(content, "children", path, count), directions)
     check_keys(content[kind], STATES[kind], (), f"{path}.{kind}")
@@ -357,20 +357,20 @@ def _long_leaf(content: Mapping[str, Any], path: str, contacts: int, form: TreeF
     multipliers = {}
     for i, row in _by_contacts(content.get("multipliers", {}), where, contacts).items():
         is_alpha = form.bodies is None and isinstance(row, (list, tuple)) and len(row) == 1
-        given = _rationals(row, 1 if is_alpha else numbers, f"{where}.{i}", form.read)
-        multipliers[i] = (*given, *[Fraction(0)] * (numbers - len(given)))
+        numbers_read = _rationals(row, 1 if is_alpha else numbers, f"{where}.{i}", form.read)
+        multipliers[i] = (*numbers_read, *[Fraction(0)] * (numbers - len(numbers_read)))
     where = f"{path}.displacements"
     given_bounds = _by_contacts(content.get("displacements", {}), where, contacts)
     displacements = {i: _rationals(row, numbers, f"{where}.{i}") for i, row in given_bounds.items()}
     return Leaf(motion, multipliers, displacements)
 
 
-def _by_contacts(given: Any, where: str, contacts: int) -> dict[int, Any]:
+def _by_contacts(rows: Any, where: str, contacts: int) -> dict[int, Any]:
     """Return an object whose keys are contacts."""
-    if not isinstance(given, Mapping):
-        raise CertificateError(f"{where} is {shown(given)}; expected an object by contacts")
+    if not isinstance(rows, Mapping):
+        raise CertificateError(f"{where} is {shown(rows)}; expected an object by contacts")
     places = {}
-    for key, row in given.items():
+    for key, row in rows.items():
         place = int(key) if isinstance(key, str) and _INDEX.fullmatch(key) else contacts
         if place >= contacts:
             raise CertificateError(

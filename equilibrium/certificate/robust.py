@@ -178,9 +178,9 @@ class Holding:
             columns = ([[row[k] for row in rows] for rows in self.correction] for k in range(n))
             sums = [_entry(alongs, column) for column in columns]
             row = [total - (k == j) for k, (total, _) in enumerate(sums)]
-            for one in unfelt:
-                share = dot(row, one) / dot(one, one)
-                row = [x - share * y for x, y in zip(row, one, strict=True)]
+            for null_motion in unfelt:
+                share = dot(row, null_motion) / dot(null_motion, null_motion)
+                row = [x - share * y for x, y in zip(row, null_motion, strict=True)]
             matrix.append([abs(x) + error for x, (_, error) in zip(row, sums, strict=True)])
         return rests, matrix
 
@@ -192,9 +192,9 @@ class Holding:
             (least_friction, friction), (soft, stiff), (_, preload) = map(
                 contact.ends, ("friction", "stiffness", "preload")
             )
-            given = contact.contact
-            spring = given.preload - given.stiffness * along.normal
-            error = preload - given.preload + (stiff - given.stiffness) * abs(along.normal)
+            nominal = contact.contact
+            spring = nominal.preload - nominal.stiffness * along.normal
+            error = preload - nominal.preload + (stiff - nominal.stiffness) * abs(along.normal)
             error += stiff * along.normal_error
             if self.loose[i]:
                 top = max(spring + error + friction * stiff * along.slip, Fraction(0))
@@ -223,7 +223,7 @@ class Holding:
         if min(*reach, energy) <= 0:
             return "reach and energy are not above 0"
         if unfelt := self.unfelt():
-            if any(dot(one, self.wrench) for one in unfelt):
+            if any(dot(null_motion, self.wrench) for null_motion in unfelt):
                 return "wrench: no forces of holding contacts balance it"
             if self.bounds.length or any(self.loose):
                 return "forces: the wrenches of the holding contacts do not span all"

@@ -51,21 +51,21 @@ class Bounds(JsonMixin):
     preload: Fraction
     adhesion: Fraction
 
-    def __init__(self, **given: Any) -> None:
+    def __init__(self, **bounds: Any) -> None:
         for name, most in LARGEST.items():
-            value = given.pop(name, 0)
+            value = bounds.pop(name, 0)
             percent = isinstance(value, str) and value.endswith("%")
-            found = rational(value.removesuffix("%") if percent else value, name)
-            found /= 100 if percent else 1
-            if not 0 <= found <= most:
+            bound = rational(value.removesuffix("%") if percent else value, name)
+            bound /= 100 if percent else 1
+            if not 0 <= bound <= most:
                 share = ", a share of the value as 0.05 or 5%" if name in VALUES else ""
                 raise GraspError(
                     f"{name} is {shown(value)}; give a number from 0 to {float(most):.12g}{share}"
                 )
-            object.__setattr__(self, name, found)
-        if given:
+            object.__setattr__(self, name, bound)
+        if bounds:
             raise GraspError(
-                f"{shown(min(given))} is not a bound; expected one of {', '.join(LARGEST)}"
+                f"{shown(min(bounds))} is not a bound; expected one of {', '.join(LARGEST)}"
             )
 
     @property

@@ -98,8 +98,8 @@ class Leaves:
         self.ends: dict[Node, tuple[int, int]] = {}
         rows = contacts.rows
         bound = max_displacement or Fraction(0)
-        given = [*wrench, bound, *(c.preload for c in rows)]
-        unit = self.unit = math.lcm(*(x.denominator for x in given))
+        constants = [*wrench, bound, *(c.preload for c in rows)]
+        unit = self.unit = math.lcm(*(x.denominator for x in constants))
         self.load, self.bound = integers_over(wrench, unit), int(bound * unit)
         frames = [(c.normal_wrench, *c.tangential_wrenches) for c in rows]
         units = [math.lcm(*(x.denominator for row in frame for x in row)) for frame in frames]
@@ -159,12 +159,12 @@ class Leaves:
             unit = fine / largest * self._unit
             rounded = _rounded(pinned, [x * unit for x in ray.virtual.tolist()], self._steps)
             motion, common = over_unit(rounded)
-            given: list[Any] = [common * round(x * unit) for x in listed]
-            weighed = [x * factor for x, factor in zip(given, factors, strict=True)]
+            scaled: list[Any] = [common * round(x * unit) for x in listed]
+            weighed = [x * factor for x, factor in zip(scaled, factors, strict=True)]
             values, scale = cancelled(columns, weighed, len(motion))
             numbers = [
                 Fraction(values[k], scale * factors[k]) if values[k] != scale * weighed[k] else x
-                for k, x in enumerate(given)
+                for k, x in enumerate(scaled)
             ]
             shared = math.gcd(*motion, *[x.numerator for x in numbers])
             if shared > 1:

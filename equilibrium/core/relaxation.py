@@ -423,13 +423,13 @@ class Relaxation(FloatLaw):
             return None
         return float(solved.x[-1]), self._point(node, np.array(solved.x))
 
-    def _point(self, program: _ConeProgram, found: Floats) -> Point:
+    def _point(self, program: _ConeProgram, solution: Floats) -> Point:
         """Return the motion, and all forces of each contact, of the unknowns."""
         forces, j = np.zeros((self.m, self.frame)), self.n
         for i, block in zip(program.order, program.blocks, strict=True):
             start, j = j, j + block.forces.shape[1]
-            forces[i] = block.forces @ found[start:j]
-        return Point(found[: self.n], forces)
+            forces[i] = block.forces @ solution[start:j]
+        return Point(solution[: self.n], forces)
 
     def _ray(self, states: Sequence[State], program: _ConeProgram, dual: Floats) -> Ray:
         """Read a virtual motion and multipliers off a dual ray, in the units of the grasp."""
@@ -512,14 +512,14 @@ class Relaxation(FloatLaw):
         m, n, k = self.m, self.n, self.stiffness
         if not m or not (k > 0).all():
             return None
-        slip, one, none = self.tangents[:, 0], np.eye(m), np.zeros((m, m))
+        slip, unit, none = self.tangents[:, 0], np.eye(m), np.zeros((m, m))
         # Unknowns: the motion, the normal forces x, and s >= |T . d|.
         rows = np.block(
             [
-                [self.spring[:, 1:], -one, none],
-                [np.zeros((m, n)), -one, none],
-                [slip, none, -one],
-                [-slip, none, -one],
+                [self.spring[:, 1:], -unit, none],
+                [np.zeros((m, n)), -unit, none],
+                [slip, none, -unit],
+                [-slip, none, -unit],
             ]
         )
         right = np.concatenate([-self.preload, np.zeros(3 * m)])
@@ -548,9 +548,9 @@ class Relaxation(FloatLaw):
                 return Point(unknowns[:n], np.column_stack([normal, friction]))
         return None
 
-    def violations(self, states: Sequence[State], found: Point) -> Floats:
+    def violations(self, states: Sequence[State], point: Point) -> Floats:
         """Return how far each contact is from the law: the change of force that it would take."""
-        d, f = found
+        d, f = point
         slip = self.slips(d)
         missed = self.cones.misses(self.friction * f[:, 0], f[:, 1:], slip)
         # Without a spring no motion changes a force, and what is missed is all there is.

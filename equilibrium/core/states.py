@@ -140,8 +140,8 @@ class StateBalance:
 
     def share(self, i: int) -> list[Fraction]:
         """Return the share of a contact, without what pillars carry."""
-        given = self.states.shares[i] or (Fraction(0), Fraction(0))
-        return [Fraction(0) if (i, j) in self.pillars else x for j, x in enumerate(given)]
+        shares = self.states.shares[i] or (Fraction(0), Fraction(0))
+        return [Fraction(0) if (i, j) in self.pillars else x for j, x in enumerate(shares)]
 
     def named_share(self, i: int) -> RationalVector | None:
         """Return None for a detached contact, nothing for one that may slip, else its share."""

@@ -152,8 +152,8 @@ class _Balance:
         for i in (i for i in self.pressed if i in case.smooth):
             row, pressed = self.rows[i], self.pressed[i]
             for k, tangent in enumerate(row.tangential_wrenches):
-                one = difference(shifted[k][i].normal_wrench, row.normal_wrench)
-                self.shifts_of.append(_Column(i, k, "shift", one, case.error.length * pressed))
+                column = difference(shifted[k][i].normal_wrench, row.normal_wrench)
+                self.shifts_of.append(_Column(i, k, "shift", column, case.error.length * pressed))
                 self.turns_of.append(_Column(i, k, "turn", tangent, case.error.angle * pressed))
         self.frictions = [
             _Column(i, k, "friction", self.rows[i].tangential_wrenches[k], self.pressed[i])

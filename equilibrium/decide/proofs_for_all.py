@@ -253,7 +253,7 @@ def _corrected(
         rows.bounds,
         _dyadic(choice.motion * rows.force / rows.stiff * rows.units),
         [_dyadic(row) for row in choice.forces * rows.force],
-        [[_dyadic(row) for row in one] for one in correction * rows.units],
+        [[_dyadic(row) for row in block] for block in correction * rows.units],
     )
     rests, gains = (np.array(x, float) for x in held.balance())
     least = 1e-12 * rows.force / rows.units

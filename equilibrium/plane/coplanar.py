@@ -73,15 +73,17 @@ def _axes(grasp: Grasp, wrench: RationalVector) -> tuple[RationalVector, Rationa
     return u, cross(tuple(x / length for x in normal), u)
 
 
-def _lifted(grasp: Grasp, flat: Grasp, axes: Sequence[RationalVector], found: Solution) -> Solution:
+def _lifted(
+    grasp: Grasp, flat: Grasp, axes: Sequence[RationalVector], plane_solution: Solution
+) -> Solution:
     """Return an equilibrium of the plane in space."""
     u, v = axes
     normal = cross(u, v)
-    x, y, turn = found.motion
+    x, y, turn = plane_solution.motion
     # A turn about the axis through the origin moves its points along the plane alone.
     motion = (*(x * a + y * b for a, b in zip(u, v, strict=True)), *(turn * c for c in normal))
     forces = []
-    for contact, planar, (pressed, rubbed) in zip(grasp, flat, found.forces, strict=True):
+    for contact, planar, (pressed, rubbed) in zip(grasp, flat, plane_solution.forces, strict=True):
         a, b = planar.tangent
         pull = tuple(rubbed * (a * s + b * t) for s, t in zip(u, v, strict=True))
         forces.append((pressed, *(dot(pull, tangent) for tangent in contact.tangents)))

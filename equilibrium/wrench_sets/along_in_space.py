@@ -158,7 +158,9 @@ class KnownMagnitudes:
     def __init__(self, known: KnownLoads, along: RationalVector, base: RationalVector) -> None:
         self.known, self.along, self.base = known, along, base
         self.scales = known.scales and not any(base)
-        self.refuted = [found for tree in known.trees if (found := self._range(tree)) is not None]
+        self.refuted = [
+            interval for tree in known.trees if (interval := self._range(tree)) is not None
+        ]
         self.held: list[tuple[Fraction, Fraction]] = []
         self._equilibria: list[tuple[Fraction, Solution]] = []
 

@@ -243,10 +243,10 @@ def _extreme_sums(ends: Sequence[Sequence[IntegerVector]]) -> Sequence[Sequence[
         starts = np.array([first for first, *_ in ends], object).sum(axis=0)
         sums: list[list[int]] = (starts + forward @ np.array(steps, object)).tolist()
         return sums
-    found: list[IntegerVector] = [(0, 0, 0)]
+    points: list[IntegerVector] = [(0, 0, 0)]
     for choice in ends:
-        found = [(w[0] + b[0], w[1] + b[1], w[2] + b[2]) for w in found for b in choice]
-    return found
+        points = [(w[0] + b[0], w[1] + b[1], w[2] + b[2]) for w in points for b in choice]
+    return points
 
 
 @dataclass(frozen=True, repr=False)

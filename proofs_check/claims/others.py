@@ -216,26 +216,26 @@ def _turned_modes(turns: Callable[[int], tuple[int, int]]) -> ContactModes:
     return ContactModes(straight.normals, turned, straight.n)
 
 
-def _modes_case(label: str, modes: ContactModes, said: int) -> Case:
+def _modes_case(label: str, modes: ContactModes, expected: int) -> Case:
     document = {"normals": modes.normals, "tangents": modes.tangents}
-    return Case(label, _Touching(modes, said), document)
+    return Case(label, _Touching(modes, expected), document)
 
 
 def _walls(rng: Random) -> Iterator[Case]:
-    for walls, said in _BY_WALLS.items():
+    for walls, expected in _BY_WALLS.items():
         modes = ContactModes.of_grasp(read_grasp(f"box-{walls}-wall{'s' * (walls > 1)}"))
-        yield _modes_case(counted(walls, "wall"), modes, said)
+        yield _modes_case(counted(walls, "wall"), modes, expected)
 
 
 def _tangents(rng: Random) -> Iterator[Case]:
     apart = ((5, 2), (7, 1), (3, 1), (13, 8))
-    for text, said, turns in (
+    for text, expected, turns in (
         ("along the edges", 196, lambda i: (1, 0)),
         ("turned by 45 degrees", 340, lambda i: (1, 1)),
         ("turned by the angle of 3-4-5", 404, lambda i: (4, 3)),
         ("turned differently at each contact", 468, lambda i: apart[i]),
     ):
-        yield _modes_case(text, _turned_modes(turns), said)
+        yield _modes_case(text, _turned_modes(turns), expected)
 
 
 def _modes_counted(place: int) -> Callable[[_Touching], int]:

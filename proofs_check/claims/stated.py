@@ -47,14 +47,14 @@ def stated(
         routes: the implementations, by the words under which they are named there.
     """
     _, words = entries()[id]
-    said = {key: _value(key, value) for key, value in words.items() if key != "topic"}
-    names, kind, over = (said.pop(key) for key in ("routes", "kind", "over"))
+    fields = {key: _value(key, value) for key, value in words.items() if key != "topic"}
+    names, kind, over = (fields.pop(key) for key in ("routes", "kind", "over"))
     if set(names) != set(routes):
         raise ValueError(f"{id} has routes {', '.join(routes)}; expected {', '.join(names)}")
     if covers is not None:
-        said["hypothesis"] = Hypothesis(said["hypothesis"], covers)
+        fields["hypothesis"] = Hypothesis(fields["hypothesis"], covers)
     if many_types is not None:
-        said["many_types"] = ManyTypes(said["many_types"], many_types)
+        fields["many_types"] = ManyTypes(fields["many_types"], many_types)
     return Claim(
         id=id,
         routes=tuple(Route(plain(text), routes[word]) for word, text in names.items()),
@@ -62,7 +62,7 @@ def stated(
         judge=judge,
         search=search,
         explain=explain,
-        **said,
+        **fields,
     )
 
 

@@ -16,7 +16,7 @@ from proofs_check.reports.text import value_text
 def run_extreme(arguments: argparse.Namespace) -> int:
     """Print the extreme value for each number of lines or planes, as soon as it is known."""
     what, unit = "smallest" if arguments.smallest else "largest", domain(arguments.of).unit
-    found = extremes(
+    results = extremes(
         arguments.quantity,
         arguments.of,
         *arguments.classes,
@@ -25,7 +25,7 @@ def run_extreme(arguments: argparse.Namespace) -> int:
     )
     records: list[dict[str, object]] = []
     condition = f", {arguments.when}" if arguments.when else ""
-    for extreme in found:
+    for extreme in results:
         if arguments.save is not None:
             make_folder(arguments.save)
             path = Path(arguments.save, f"{what}-{extreme.elements}.json")

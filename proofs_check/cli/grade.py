@@ -35,8 +35,8 @@ def run_grade(arguments: argparse.Namespace) -> int:
         return _list(exercises, arguments.json)
     if Path(arguments.answers).is_dir():
         return _class(exercises, grade_folder(exercises, Path(arguments.answers)), arguments)
-    for option, given in (("-o", arguments.output), ("--students", arguments.students)):
-        if given:
+    for option, value in (("-o", arguments.output), ("--students", arguments.students)):
+        if value:
             raise InputError(f"{option} is for a folder; {arguments.answers} is one file")
     marks = grade(exercises, arguments.answers)
     got, most = _total(marks)
@@ -44,7 +44,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
         terminal.print_json({"exercises": _documents(marks), "points": _json(got), "most": most})
     else:
         rows = [
-            (id, _of(one.points, one.most), one.mistake or "right") for id, one in marks.items()
+            (id, _of(mark.points, mark.most), mark.mistake or "right") for id, mark in marks.items()
         ]
         _table([*rows, ("total", _of(got, most), "points")])
     return _code(marks)
@@ -62,7 +62,10 @@ def _class(
     """
     students = arguments.students
     rows = ClassList.read(students, marks_by_file) if students else ClassList.of(marks_by_file)
-    nothing = {id: GradedAnswer(Fraction(), one.points, _NOTHING) for id, one in exercises.items()}
+    nothing = {
+        id: GradedAnswer(Fraction(), exercise.points, _NOTHING)
+        for id, exercise in exercises.items()
+    }
     marked = {row[0]: marks_by_file.get(row[0], nothing) for row in rows.rows}
     if arguments.output:
         columns = [*exercises, "total", "error"]
@@ -89,27 +92,29 @@ def _results(marks: dict[str, GradedAnswer] | InputError, ids: Iterable[str]) ->
     """Return points, their sum and an error; decimals, since a spreadsheet takes 3/2 for a day."""
     if isinstance(marks, InputError):
         return [*("" for _ in ids), "", str(marks)]
-    points = [one.points for one in marks.values()]
-    empty = all(one.mistake is _NOTHING for one in marks.values())
+    points = [mark.points for mark in marks.values()]
+    empty = all(mark.mistake is _NOTHING for mark in marks.values())
     return [*(f"{float(x):g}" for x in (*points, sum(points))), _NOTHING if empty else ""]
 
 
 def _line_of_class(marks: dict[str, GradedAnswer] | InputError) -> tuple[str, str]:
     if isinstance(marks, InputError):
         return "not marked", str(marks)
-    if all(one.mistake is _NOTHING for one in marks.values()):
+    if all(mark.mistake is _NOTHING for mark in marks.values()):
         return _of(*_total(marks)), _NOTHING
-    wrong = [f"{id} {number(one.points)} of {one.most}" for id, one in marks.items() if one.mistake]
+    wrong = [
+        f"{id} {number(mark.points)} of {mark.most}" for id, mark in marks.items() if mark.mistake
+    ]
     return _of(*_total(marks)), ", ".join(wrong) or "all right"
 
 
 def _total(marks: Mapping[str, GradedAnswer]) -> tuple[Fraction, int]:
     every = marks.values()
-    return sum((one.points for one in every), Fraction()), sum(one.most for one in every)
+    return sum((mark.points for mark in every), Fraction()), sum(mark.most for mark in every)
 
 
 def _code(marks: Mapping[str, GradedAnswer]) -> int:
-    return terminal.NO if any(one.mistake for one in marks.values()) else terminal.YES
+    return terminal.NO if any(mark.mistake for mark in marks.values()) else terminal.YES
 
 
 def _of(points: Fraction, most: int) -> str:
@@ -118,7 +123,8 @@ def _of(points: Fraction, most: int) -> str:
 
 def _documents(marks: Mapping[str, GradedAnswer]) -> list[dict[str, Any]]:
     return [
-        {"id": id, "points": _json(one.points), "mistake": one.mistake} for id, one in marks.items()
+        {"id": id, "points": _json(mark.points), "mistake": mark.mistake}
+        for id, mark in marks.items()
     ]
 
 
@@ -129,13 +135,19 @@ def _json(points: Fraction) -> int | str:
 def _list(exercises: Mapping[str, Exercise], as_json: bool) -> int:
     if as_json:
         names = ("id", "points", "of", "question")
-        asked = [{name: getattr(one, name) for name in names} for one in exercises.values()]
+        asked = [
+            {name: getattr(exercise, name) for name in names} for exercise in exercises.values()
+        ]
         terminal.print_json({"exercises": asked})
     else:
         _table(
             [
-                (id, f"{one.points} p", f"{one.question} Answer: {one.of}, {FORMS[one.of][1]}.")
-                for id, one in exercises.items()
+                (
+                    id,
+                    f"{exercise.points} p",
+                    f"{exercise.question} Answer: {exercise.of}, {FORMS[exercise.of][1]}.",
+                )
+                for id, exercise in exercises.items()
             ]
         )
         first = next(iter(exercises))

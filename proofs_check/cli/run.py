@@ -62,8 +62,8 @@ def run_claims(arguments: argparse.Namespace) -> int:
     request = _request(arguments.ids, arguments)
     if own and not request.from_files:
         raise OwnClaimError(
-            f"--{own[0]} is for claims of FILE.py; those of the paper have fixed cases. Omit it, or "
-            "write a file with `proofs-check new FILE.py`"
+            f"--{own[0]} is for claims of FILE.py; those of the paper have fixed cases. Omit it, "
+            "or write a file with `proofs-check new FILE.py`"
         )
     if not tables:
         return _run(request, arguments, arguments.jobs)
@@ -157,9 +157,11 @@ def exit_code(record: Mapping[str, Any], *, strict: bool) -> int:
     Without a verdict nothing is refuted, and nothing confirmed.
     """
     if record["as_expected"] is not True:
-        verdicts = {one["verdict"] for one in record["results"] if one["as_expected"] is not True}
+        verdicts = {
+            result["verdict"] for result in record["results"] if result["as_expected"] is not True
+        }
         return terminal.UNDECIDED if verdicts == {None} else terminal.NO
-    sampled = any(text.strength(one) is Strength.SAMPLED for one in record["results"])
+    sampled = any(text.strength(result) is Strength.SAMPLED for result in record["results"])
     return terminal.UNDECIDED if strict and sampled else terminal.YES
 
 
@@ -361,8 +363,8 @@ def _run_table(path: str, as_json: bool) -> int:
             unread.append(row)
             continue
         if not first:
-            for one in unread:
-                _print(one, "not read", as_json=as_json)
+            for entry in unread:
+                _print(entry, "not read", as_json=as_json)
         verdict, other = "not read", row
         if not row.mistake:
             other = first.setdefault((row.arrangement, row.quantity), row)

@@ -74,11 +74,11 @@ class Exercise(ReprMixin):
             OwnClaimError: the function raised an error, or returned something else.
         """
         try:
-            given = FORMS[self.of][0](answer)
+            value = FORMS[self.of][0](answer)
         except InputError as error:
             return self._grade(0, str(error))
         try:
-            judgement = self.judge(given)
+            judgement = self.judge(value)
         except Exception as error:
             where = line_of(error, self.judge.__code__.co_filename)
             text = f"{type(error).__name__}: {error}"
@@ -168,7 +168,7 @@ def load_exercises(path: str) -> dict[str, Exercise]:
             "Answers come behind it: grade FILE.py ANSWERS.json"
         )
     exercises = values_in_file(path, Exercise, "exercises; decorate a function with @exercise(...)")
-    named = {one.id: one for one in exercises}
+    named = {exercise.id: exercise for exercise in exercises}
     if len(named) < len(exercises):
         raise OwnClaimError(f"{path} has two exercises with one id")
     return named
@@ -190,10 +190,10 @@ def grade(exercises: Mapping[str, Exercise], source: Source) -> dict[str, Graded
         raise InputError(f"answers is {kind_of(answers)}; give a JSON object, one key an exercise")
     strange = [key for key in answers if key not in exercises]
     return {
-        id: one.mark(answers[id])
+        id: exercise.mark(answers[id])
         if id in answers
-        else GradedAnswer(Fraction(), one.points, _no(id, strange))
-        for id, one in exercises.items()
+        else GradedAnswer(Fraction(), exercise.points, _no(id, strange))
+        for id, exercise in exercises.items()
     }
 
 
@@ -233,7 +233,7 @@ def grade_folder(
 def _states(answer: Any) -> frozenset[tuple[str, ...]]:
     """Read a list of states; each is a text of signs, or a list of words."""
     for state in check_list(answer, "the answer"):
-        if not isinstance(state, (str, list)) or not all(isinstance(one, str) for one in state):
+        if not isinstance(state, (str, list)) or not all(isinstance(name, str) for name in state):
             raise InputError(f'{shown(state)} is not a state; write "+-0" or ["slip+", "stick"]')
     return frozenset(map(tuple, answer))
 

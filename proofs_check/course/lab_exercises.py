@@ -60,7 +60,9 @@ def lab_judges(source: str) -> dict[str, tuple[str, Callable[[Any], Judged]]]:
         exercises, judge = lines.line_exercises(_path(source)), _judge_lines
     else:
         exercises, judge = page.slip_exercises(_path(source)), _judge_slip
-    named = {one["name"]: (one["task"], _refusing(judge, one)) for one in exercises}
+    named = {
+        exercise["name"]: (exercise["task"], _refusing(judge, exercise)) for exercise in exercises
+    }
     if len(named) < len(exercises):
         raise InputError(f"{source} has two exercises of one name; expected different names")
     return named
@@ -75,7 +77,11 @@ def _is_of_lines(source: str) -> bool:
     if source in BUILT_IN:
         return source == "arrangement-lab"
     listed = read_document(source, ("exercises",))["exercises"]
-    goals = [one.get("goal") for one in listed if isinstance(one, dict)] if listed else []
+    goals = (
+        [exercise.get("goal") for exercise in listed if isinstance(exercise, dict)]
+        if listed
+        else []
+    )
     return any(isinstance(goal, dict) and set(goal) & set(lines.GOALS) for goal in goals)
 
 
@@ -147,8 +153,10 @@ def _states(wanted: list[str], grasp: Grasp, wrench: Any, motion: Any) -> Judged
         and all(w in (s, "any") for w, s in zip(wanted, states, strict=True))
         for states in solutions
     )
-    said = "; or ".join(", ".join(states) for states in solutions)
-    return right or (f"the states are {said}" if said else "the grasp does not resist this load")
+    listed = "; or ".join(", ".join(states) for states in solutions)
+    return right or (
+        f"the states are {listed}" if listed else "the grasp does not resist this load"
+    )
 
 
 def _gap(_: bool, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
@@ -176,8 +184,8 @@ def _border(_: bool, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
 
 def _method(goal: Mapping[str, Any], grasp: Grasp, wrench: Any, motion: Any) -> Judged:
     right, other = bool(solve(grasp, wrench)), predict(goal["name"], grasp, wrench)
-    said = ["unstable", "stable"]
-    words = f"the full model predicts {said[right]}, the method {said[bool(other)]}"
+    predictions = ["unstable", "stable"]
+    words = f"the full model predicts {predictions[right]}, the method {predictions[bool(other)]}"
     return (other is goal["says"] and other is not right) or words
 
 
@@ -267,16 +275,16 @@ _COUNTS: Mapping[str, Callable[[Arrangement], Any]] = {
 def _meeting(lists: list[list[int]], planes: Arrangement) -> str:
     """Return why lists of lines do not meet in one point each, different points; "" if they do."""
     rows = [_homogeneous(row, planes.dimension) for row in planes.integer_planes]
-    used = {k for one in lists for k in one}
+    used = {k for concurrent in lists for k in concurrent}
     if missing := [k for k in sorted(used) if k > len(rows)]:
         return f"there is no line {missing[0]}"
     if len({_up_to_sign(rows[k - 1]) for k in used}) < len(used):
         return "two lines coincide"
     points = set()
-    for one in lists:
-        point = _up_to_sign(cross(rows[one[0] - 1], rows[one[1] - 1]))
-        if any(dot(rows[k - 1], point) for k in one[2:]):
-            return f"lines {', '.join(map(str, one))} do not go through one point"
+    for concurrent in lists:
+        point = _up_to_sign(cross(rows[concurrent[0] - 1], rows[concurrent[1] - 1]))
+        if any(dot(rows[k - 1], point) for k in concurrent[2:]):
+            return f"lines {', '.join(map(str, concurrent))} do not go through one point"
         points.add(point)
     return "two of the points coincide" if len(points) < len(lists) else ""
 

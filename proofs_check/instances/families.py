@@ -104,16 +104,16 @@ def family(name: str, **parameters: Any) -> Family:
     if known not in FAMILIES:
         raise UnknownDomainError(str(refusal(f"no family is {shown(name)}", known, FAMILIES)))
     usable = inspect.signature(FAMILIES[known]).parameters
-    values = {key: _several(given) for key, given in parameters.items()}
+    values = {key: _several(names) for key, names in parameters.items()}
     for key in values:
         if _parameter(known, key) not in usable:
             mistake = f"the family {known} has no parameter {shown(key)}"
             raise OwnClaimError(str(refusal(mistake, key, usable, "it has")))
-    given = {_parameter(known, key) for key in values}
+    names = {_parameter(known, key) for key in values}
     missing = {
         "n" if key == "type" else key: _several(range(2, 7))
         for key, parameter in usable.items()
-        if parameter.default is parameter.empty and key not in given
+        if parameter.default is parameter.empty and key not in names
     }
     if missing:
         example = Family(known, values | missing)
@@ -170,13 +170,13 @@ def _read(parts: list[str]) -> Any:
     return ",".join(parts)  # edges
 
 
-def _several(given: Any) -> Sequence[Any]:
+def _several(value: Any) -> Sequence[Any]:
     """Return the values of a parameter; a text or a number is one."""
-    if isinstance(given, range):
-        return given
-    if isinstance(given, Iterable) and not isinstance(given, (str, bytes)):
-        return tuple(given) if not hasattr(given, "nodes") else (given,)
-    return (given,)
+    if isinstance(value, range):
+        return value
+    if isinstance(value, Iterable) and not isinstance(value, (str, bytes)):
+        return tuple(value) if not hasattr(value, "nodes") else (value,)
+    return (value,)
 
 
 def _parameter(name: str, key: str) -> str:

@@ -135,13 +135,13 @@ _MAX_RUNS = 16
 
 def _run(path: str) -> _Run:
     """Run a file as a module, once for each content of it and of what it imports."""
-    given, path = path, str(Path(path).resolve())
+    shown_path, path = path, str(Path(path).resolve())
     if path in _runs and _runs[path].is_current:
         return _runs[path]
     try:
         digest = sha256(Path(path).read_bytes()).hexdigest()
     except OSError as error:
-        raise OwnClaimError(f"cannot read {given}: {error.strerror}") from None
+        raise OwnClaimError(f"cannot read {shown_path}: {error.strerror}") from None
     name = f"proofs_check_own_{sha256(f'{digest} {path}'.encode()).hexdigest()[:16]}"
     loader = _ClaimFileLoader(name, path)
     spec = importlib.util.spec_from_file_location(name, path, loader=loader)

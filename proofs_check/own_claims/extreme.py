@@ -67,7 +67,7 @@ def extremes(
         return chosen.contains(planes) and bool(holds)
 
     def extreme(m: int) -> Extreme | None:
-        found: Extreme | None = None
+        best: Extreme | None = None
         (source,) = type_sources(chosen, m, m)
         for case in watched(source.cases(Random(0)), "classes"):
             if not includes(case.subject):
@@ -78,10 +78,10 @@ def extremes(
                     f"{text} is {shown(value)} for {case.label}, which is not a number; name a "
                     "count, such as regions or t_vector.get(2, 0)"
                 )
-            if found is None or (value > found.value if largest else value < found.value):
-                found = Extreme(m, value, case, 0, found.classes if found else 0)
-            found.classes += 1
-            found.reached += value == found.value
-        return found
+            if best is None or (value > best.value if largest else value < best.value):
+                best = Extreme(m, value, case, 0, best.classes if best else 0)
+            best.classes += 1
+            best.reached += value == best.value
+        return best
 
     return filter(None, map(extreme, range(low, high + 1)))

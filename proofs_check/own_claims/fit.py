@@ -101,10 +101,10 @@ _ONE = "needs one parameter that varies over integers, such as generic(m=2..9)"
 
 
 def _values(
-    quantity: str, over: str, given: Iterable[tuple[Mapping[str, Any], Any]]
+    quantity: str, over: str, rows: Iterable[tuple[Mapping[str, Any], Any]]
 ) -> FamilyValues:
     values: dict[int, Number] = {}
-    pairs = list(given)
+    pairs = list(rows)
     keys = pairs[0][0] if pairs else ()
     varying = [key for key in keys if len({str(parameters[key]) for parameters, _ in pairs}) > 1]
     if len(varying) != 1 or any(type(parameters[varying[0]]) is not int for parameters, _ in pairs):

@@ -374,19 +374,21 @@ class _PartTypes:
                 f"{self.text(node)} asks {kind} for keys; expected one of {', '.join(MAPPINGS)}"
             )
 
-    def _arguments(self, name: str, given: Sequence[ast.expr], node: ast.expr) -> None:
+    def _arguments(self, name: str, arguments: Sequence[ast.expr], node: ast.expr) -> None:
         """Refuse arguments that a function does not have."""
         if name == "implies":
-            if len(given) != 2:
-                raise OwnClaimError(f"{self.text(node)} has {len(given)} sides; expected two")
-            self._logic(given, node)
-        elif name in ("max", "min") and len(given) > 1:
-            self._all(given, _NUMBER, node)
-        elif len(given) != len(_ARGUMENTS[name]):
+            if len(arguments) != 2:
+                raise OwnClaimError(f"{self.text(node)} has {len(arguments)} sides; expected two")
+            self._logic(arguments, node)
+        elif name in ("max", "min") and len(arguments) > 1:
+            self._all(arguments, _NUMBER, node)
+        elif len(arguments) != len(_ARGUMENTS[name]):
             number = len(_ARGUMENTS[name])
-            raise OwnClaimError(f"{self.text(node)} has {len(given)} arguments; expected {number}")
+            raise OwnClaimError(
+                f"{self.text(node)} has {len(arguments)} arguments; expected {number}"
+            )
         elif _ARGUMENTS[name] == (_VECTOR,):
-            kind, inner = self.of(given[0]), self.text(given[0]).strip("'")
+            kind, inner = self.of(arguments[0]), self.text(arguments[0]).strip("'")
             if kind == _MAPPING and name != "len":
                 raise OwnClaimError(
                     f"{self.text(node)} is of a mapping; write {name}({inner}.values()) or "
@@ -395,7 +397,7 @@ class _PartTypes:
             if kind not in (_VECTOR, _MAPPING):
                 raise OwnClaimError(f"{self.text(node)} is of {kind}; expected a vector")
         else:
-            self._all(given, _NUMBER, node)
+            self._all(arguments, _NUMBER, node)
 
     def _all(self, parts: Sequence[ast.expr], wanted: str, node: ast.expr) -> str:
         """Return the type that all parts must have."""

@@ -212,13 +212,13 @@ class _Computed:
                 return tuple(map(self.value, parts))
         raise AssertionError(ast.dump(node))
 
-    def _call(self, function: ast.expr, given: list[Any]) -> Any:
+    def _call(self, function: ast.expr, arguments: list[Any]) -> Any:
         if isinstance(function, ast.Attribute):
-            return getattr(self.value(function.value), function.attr)(*given)
+            return getattr(self.value(function.value), function.attr)(*arguments)
         assert isinstance(function, ast.Name)
         if function.id in _FUNCTIONS:
-            return _FUNCTIONS[function.id](*given)
-        return _OF_ARRANGEMENT[function.id](self.planes, *map(_number, given))
+            return _FUNCTIONS[function.id](*arguments)
+        return _OF_ARRANGEMENT[function.id](self.planes, *map(_number, arguments))
 
 
 def _number(value: Any) -> int | Fraction:
@@ -362,10 +362,10 @@ def _operation(node: ast.BinOp) -> tuple[str, int]:
     raise LookupError(ast.unparse(node))
 
 
-def _call(name: str, given: Sequence[ast.expr]) -> str:
+def _call(name: str, arguments: Sequence[ast.expr]) -> str:
     if name == "implies":
-        return r" \Rightarrow ".join(_bound(part, _OR) for part in given)
-    inside = [_formula(part)[0] for part in given]
+        return r" \Rightarrow ".join(_bound(part, _OR) for part in arguments)
+    inside = [_formula(part)[0] for part in arguments]
     match name, inside:
         case "chi", [point]:
             return rf"\chi({point})"

@@ -191,8 +191,8 @@ def _cells(case: Record) -> list[str]:
 
 def python_lines(result: Record) -> str:
     """Return three lines of Python that decide the claim again."""
-    given, name = result.get("file"), json.dumps(result["id"])
-    source, known = ("load", f"load({json.dumps(given)})") if given else ("registry", "registry()")
+    path, name = result.get("file"), json.dumps(result["id"])
+    source, known = ("load", f"load({json.dumps(path)})") if path else ("registry", "registry()")
     seed = f", {result['seed']}" if result.get("seed") else ""
     return (
         f"from proofs_check import evaluate, {source}\n"

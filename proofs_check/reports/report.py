@@ -46,8 +46,8 @@ def environment() -> dict[str, Any]:
 
 def date() -> str:
     """Return the time in UTC, or that of SOURCE_DATE_EPOCH, for builds that repeat."""
-    given = os.environ.get("SOURCE_DATE_EPOCH", "")
-    seconds = int(given) if given.isdecimal() and len(given) < 12 else time.time()
+    epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
+    seconds = int(epoch) if epoch.isdecimal() and len(epoch) < 12 else time.time()
     return datetime.fromtimestamp(seconds, UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
 
 

@@ -44,7 +44,7 @@ def _slip_states(contacts: Any) -> tuple[int, int]:
     n = len(slips[0])
     curve = [[t**k for k in range(n)] for t in range(len(slips))]
     planes = (Planes(rows, dimension=n) for rows in (slips, curve))
-    states, general = (sum(proved_f_vector(one)) for one in planes)
+    states, general = (sum(proved_f_vector(planes_set)) for planes_set in planes)
     return states, general
 
 

@@ -375,11 +375,11 @@ class Registry(ReprMixin):
         )
 
 
-def check_claim(given: object) -> None:
+def check_claim(claim: object) -> None:
     """Refuse what is not a claim."""
-    if not isinstance(given, Claim):
+    if not isinstance(claim, Claim):
         raise OwnClaimError(
-            f"the claim is {shown(given)}; expected a Claim, such as registry()[ID] or a function "
+            f"the claim is {shown(claim)}; expected a Claim, such as registry()[ID] or a function "
             "under @claim(TEXT). For a text write evaluate(one_line_claim(TEXT)), from "
             "proofs_check.own_claims.one_line, or in a shell: proofs-check try TEXT"
         )

@@ -123,8 +123,8 @@ class Parser(argparse.ArgumentParser):
             option = self._option_string_actions.get(name)
             if option is not None:
                 if option in self.variadic:
-                    given = [value, *words[i + 1 :]] if equals else words[i + 1 :]
-                    option.nargs = max(option.nargs, _numbers(given))  # type: ignore[type-var]
+                    values = [value, *words[i + 1 :]] if equals else words[i + 1 :]
+                    option.nargs = max(option.nargs, _numbers(values))  # type: ignore[type-var]
                 due = _numbers_after(option)
             if option is not None and due and equals and not re.match(r"-[^.0-9]", value):
                 yield name

@@ -97,12 +97,12 @@ class Automorphisms:
     def check_permutations(self, permutations: Sequence[Sequence[int]]) -> Permutations:
         """Return given permutations of the vectors, or refuse one that is not an automorphism."""
         checked = []
-        for number, given in enumerate(permutations):
-            image = np.array([*given, *range(len(given), self.size)], dtype=np.intp)
+        for number, perm in enumerate(permutations):
+            image = np.array([*perm, *range(len(perm), self.size)], dtype=np.intp)
             moved = self._products[np.ix_(image, image)]
             if not _equal_up_to_signs(moved, self._products):
                 raise InputError(
-                    f"symmetry[{number}] takes distinct planes to {shown(list(given))}, which is "
+                    f"symmetry[{number}] takes distinct planes to {shown(list(perm))}, which is "
                     "not an automorphism: no linear map takes each plane's normal to plus or minus "
                     "that of its image; leave it out, or leave out symmetry to have it found"
                 )

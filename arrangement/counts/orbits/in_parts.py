@@ -249,12 +249,12 @@ def _run(plan: tuple[str, int], part: int) -> None:
     }
     content |= _checksum(made.plan, rank, part, content)
     for number in numbers:
-        one = bucket == number
+        inside = bucket == number
         flats = {
-            f"bases-{number}": higher.bases[one].astype(np.int32),
-            f"members-{number}": higher.members[one],
-            f"images-{number}": higher.images[one],
-            f"values-{number}": higher.values[:, one].astype(np.uint32),
+            f"bases-{number}": higher.bases[inside].astype(np.int32),
+            f"members-{number}": higher.members[inside],
+            f"images-{number}": higher.images[inside],
+            f"values-{number}": higher.values[:, inside].astype(np.uint32),
         }
         content |= flats | _checksum(made.plan, rank, part, flats)
     stream = io.BytesIO()

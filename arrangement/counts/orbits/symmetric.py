@@ -207,18 +207,18 @@ def first_numbers(
 def _of_classes(planes: Planes, symmetry: Sequence[Sequence[int]]) -> list[list[int]]:
     """Return permutations of planes as permutations of the classes of coincident planes."""
     masks = []
-    for number, given in enumerate(symmetry):
+    for number, permutation in enumerate(symmetry):
         try:
-            each_once = sorted(given) == list(range(len(planes)))
+            each_once = sorted(permutation) == list(range(len(planes)))
         except TypeError:
             each_once = False
         if not each_once:
             raise InputError(
-                f"symmetry[{number}] is {shown(given)}; give the images of the planes 0 to "
+                f"symmetry[{number}] is {shown(permutation)}; give the images of the planes 0 to "
                 f"{len(planes) - 1}, each once"
             )
-        image = [planes.class_of[given[first]] for first in planes.firsts]
-        if any(image[planes.class_of[i]] != planes.class_of[j] for i, j in enumerate(given)):
+        image = [planes.class_of[permutation[first]] for first in planes.firsts]
+        if any(image[planes.class_of[i]] != planes.class_of[j] for i, j in enumerate(permutation)):
             raise InputError(
                 f"symmetry[{number}] takes coincident planes to planes that do not coincide; "
                 "give a permutation that keeps them together"
@@ -355,8 +355,8 @@ class Classes:
         order, start = group_rows(flats.images)
         first = np.flatnonzero(start)
         values = np.add.reduceat(flats.values[:, order], first, axis=1) % self._modulus
-        one = order[first]
-        return Flats(flats.bases[one], flats.members[one], flats.images[one], values)
+        kept = order[first]
+        return Flats(flats.bases[kept], flats.members[kept], flats.images[kept], values)
 
 
 def classes(config: Configuration, generators: Permutations, deadline: Deadline) -> Classes:

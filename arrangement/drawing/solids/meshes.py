@@ -162,8 +162,8 @@ def _glb(parts: Sequence[ClosedSurface], title: str) -> bytes:
         place = {"buffer": 0, "byteOffset": len(binary), "byteLength": len(content)}
         views.append({**place, "target": target})
         binary.extend(content)
-        told = {"bufferView": len(views) - 1, "componentType": kind, "count": len(array)}
-        accessors.append({**told, "type": shape, **more})
+        fields = {"bufferView": len(views) - 1, "componentType": kind, "count": len(array)}
+        accessors.append({**fields, "type": shape, **more})
         return len(accessors) - 1
 
     meshes, nodes = list[dict[str, Any]](), list[dict[str, Any]]()

@@ -435,8 +435,8 @@ class _Stars:
         np.cumsum(new, out=numbers)
         numbers += np.int32(lines - 1)
         # Where both circles of a line are among these, what the first one reads is written already.
-        told = slot_line.take(np.minimum(least, self.slots), mode="clip")
-        numbers -= (numbers - told) * ~new
+        numbered = slot_line.take(np.minimum(least, self.slots), mode="clip")
+        numbers -= (numbers - numbered) * ~new
         at = np.flatnonzero(new)
         sizes = self.size.take(at)
         ends = np.cumsum(sizes, dtype=np.int32) + np.int32(filled)

@@ -120,10 +120,10 @@ def lines_through(points: Points) -> Arrangement:
     >>> lines_through([(0, 0), (1, 0), (0, 1), (2, 3)]).f_vector
     (7, 24, 18)
     """
-    given = exact_points(points)
-    d = len(given[0])
-    check_reach(budget.choose(len(given), d), d)
-    vectors = [primitive((*point, Fraction(1))) for point in given]
+    exact = exact_points(points)
+    d = len(exact[0])
+    check_reach(budget.choose(len(exact), d), d)
+    vectors = [primitive((*point, Fraction(1))) for point in exact]
     rows = dict.fromkeys(unoriented(row) for row in _span(vectors, d + 1) if any(row))
     return Arrangement([row[:-1] for row in rows], [-row[-1] for row in rows], dimension=d)
 
@@ -210,10 +210,10 @@ def bisectors(points: Points) -> Arrangement:
     >>> bisectors([(0, 0), (5, 0), (1, 3), (-2, 7)]).f_vector[-1]
     18
     """
-    given = exact_points(points)
-    d = len(given[0])
-    check_reach(comb(len(given), 2), d)
-    pairs = list(combinations(given, 2))
+    exact = exact_points(points)
+    d = len(exact[0])
+    check_reach(comb(len(exact), 2), d)
+    pairs = list(combinations(exact, 2))
     normals = [[2 * (x - y) for x, y in zip(p, q, strict=True)] for p, q in pairs]
     offsets = [dot(p, p) - dot(q, q) for p, q in pairs]
     return Arrangement(normals, offsets, dimension=d)

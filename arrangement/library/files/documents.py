@@ -181,12 +181,12 @@ def _reader(document: Mapping[str, Any]) -> Callable[[Any, str], list[Any]]:
     field = _field(document["field"]) if "field" in document else None
 
     def numbers(value: Any, where: str) -> list[Any]:
-        given = check_list(value, where)
-        if set(map(type, given)).isdisjoint((list, tuple)):
-            return given
+        entries = check_list(value, where)
+        if set(map(type, entries)).isdisjoint((list, tuple)):
+            return entries
         return [
             _of_field(x, field, f"{where}[{i}]") if isinstance(x, (list, tuple)) else x
-            for i, x in enumerate(given)
+            for i, x in enumerate(entries)
         ]
 
     return numbers

@@ -100,11 +100,11 @@ def check_keys(
     unknown = [shown(key) for key in mapping if key not in known]
     missing = [f'"{key}"' for key in required if key not in mapping]
     if unknown:
-        some = f"key{'s' * (len(unknown) > 1)} {', '.join(unknown[:4])}"
+        first_keys = f"key{'s' * (len(unknown) > 1)} {', '.join(unknown[:4])}"
         lacks = f", and lacks {', '.join(missing)}" if missing else ""
         use = ". ".join(["", *dict.fromkeys(remedies[key] for key in mapping if key in remedies)])
         raise InputError(
-            f"{where} has the unknown {some}{lacks}; known keys are {', '.join(known)}{use}"
+            f"{where} has the unknown {first_keys}{lacks}; known keys are {', '.join(known)}{use}"
         )
     if missing:
         due = "they are" if missing[1:] else "it is"
@@ -285,11 +285,11 @@ def _check_kind(
 ) -> None:
     """Check the version of the schema, and that the document is of exactly one of the kinds."""
     present = [kind for kind in kinds if kind in document]
-    one = f"exactly one of the keys {', '.join(sorted(kinds))}"
+    required = f"exactly one of the keys {', '.join(sorted(kinds))}"
     if len(kinds) == 1:
-        one = f'the key "{min(kinds)}"'
+        required = f'the key "{min(kinds)}"'
     if "schema_version" not in document:
-        also = f", and {one}" if len(present) != 1 else ""
+        also = f", and {required}" if len(present) != 1 else ""
         raise InputError(
             f'{name} has no key "schema_version"; add "schema_version": {max(versions)}{also}'
         )
@@ -300,7 +300,7 @@ def _check_kind(
         )
     if len(present) != 1:
         text = " and ".join(present) if present else "none"
-        raise InputError(f"{name} must have {one}; it has {text}")
+        raise InputError(f"{name} must have {required}; it has {text}")
 
 
 def kind_of(value: Any) -> str:

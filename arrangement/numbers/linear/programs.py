@@ -92,10 +92,10 @@ class Rows:
     ) -> None:
         self.variables, self.deadline = n, deadline
         self.first_equality = len(inequalities)
-        given = [*inequalities, *equalities]
-        integers = list(map(self._whole, given))
-        self.scales = [scale_of(row, whole) for row, whole in zip(given, integers, strict=True)]
-        ends = [Fraction(row[-1]) / t for row, t in zip(given, self.scales, strict=True)]
+        rows = [*inequalities, *equalities]
+        integers = list(map(self._whole, rows))
+        self.scales = [scale_of(row, whole) for row, whole in zip(rows, integers, strict=True)]
+        ends = [Fraction(row[-1]) / t for row, t in zip(rows, self.scales, strict=True)]
         self.unit = math.lcm(*(end.denominator for end in ends))
         #: Integers of one kind, see `fast_integers`.
         self.integers = fast_integers(

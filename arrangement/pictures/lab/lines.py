@@ -110,7 +110,7 @@ def _check_counts(value: Any) -> None:
 
 def _check_meet(value: Any) -> None:
     lists = value if isinstance(value, list) else [None]
-    if not value or not all(_is_list_of_planes(one) for one in lists):
+    if not value or not all(_is_list_of_planes(lines) for lines in lists):
         raise InputError(f"is {shown(value)}; give lists of three plane numbers or more")
 
 
@@ -121,18 +121,18 @@ def _check_closes(value: Any) -> None:
     _check_meet([value["then"]])
 
 
-def _is_list_of_planes(one: Any) -> bool:
+def _is_list_of_planes(numbers: Any) -> bool:
     return (
-        isinstance(one, list)
-        and all(type(k) is int and 1 <= k <= budget.max_size("planes in the lab") for k in one)
-        and len(set(one)) == len(one) >= 3
+        isinstance(numbers, list)
+        and all(type(k) is int and 1 <= k <= budget.max_size("planes in the lab") for k in numbers)
+        and len(set(numbers)) == len(numbers) >= 3
     )
 
 
 def _with_names(most: int) -> Iterator[tuple[str, Arrangement]]:
     """Yield a member of each type that has a name: all up to six planes, then simplicial ones."""
     for m in range(3, NAMED_PLANES + 1):
-        yield from ((f"{m}.{k}", one) for k, one in enumerate(census(m), 1))
+        yield from ((f"{m}.{k}", arrangement) for k, arrangement in enumerate(census(m), 1))
     for m, k in simplicial_entries(rational=True):
         if NAMED_PLANES < m <= most:
             yield f"A({m},{k})", simplicial(m, k)
@@ -196,7 +196,9 @@ def lab_page(
             {"name": name, "arrangement": read_arrangement(source).to_dict()}
             for name, source in _EXAMPLES
         ],
-        "named": [[len(one), name, one.to_dict()["planes"]] for name, one in _with_names(most)],
+        "named": [
+            [len(member), name, member.to_dict()["planes"]] for name, member in _with_names(most)
+        ],
         "exercises": line_exercises(exercises),
         "own": exercises is not None,
     }

@@ -191,8 +191,8 @@ def part_questions(
     """
     if isinstance(subject, Grasp):
         shares = tuple(contact.share for contact in subject)
-        given = {"chosen": chosen, "shares": shares, **changes}
-        yield None, LinearQuestion(ContactRows.of_grasp(subject), base, along, **given)
+        options = {"chosen": chosen, "shares": shares, **changes}
+        yield None, LinearQuestion(ContactRows.of_grasp(subject), base, along, **options)
         return
     both = zip(*(parts_of(subject, wrenches)[0] for wrenches in (base, along)), strict=True)
     for part, slope in sorted(both, key=lambda pair: len(pair[0].contacts)):

@@ -32,24 +32,24 @@ def exact_floats(values: Any, name: str, form: str, remedy: str) -> Floats:
     if any(map(np.ma.is_masked, rows)):
         raise GraspError(f"{name} has masked entries; leave these out, or fill them")
     try:
-        given = np.asarray(values)
+        array = np.asarray(values)
     except ValueError:
         raise GraspError(f"{name} has rows of different lengths; give {form}") from None
-    if given.dtype.kind not in "iuf":
+    if array.dtype.kind not in "iuf":
         raise GraspError(
-            f"{name} is an array of {given.dtype}; give real numbers of numpy, or {remedy} about "
+            f"{name} is an array of {array.dtype}; give real numbers of numpy, or {remedy} about "
             "exact ones"
         )
     with np.errstate(over="ignore", invalid="ignore"):
-        floats = given.astype(np.float64)
-        kept = floats.astype(given.dtype) == given
+        floats = array.astype(np.float64)
+        kept = floats.astype(array.dtype) == array
     # Integers as large may turn back into themselves by overflow.
-    if given.dtype.kind == "f":
-        kept |= np.isnan(given)
+    if array.dtype.kind == "f":
+        kept |= np.isnan(array)
     else:
         kept &= np.abs(floats) <= EXACT
     if not kept.all():
-        first = given[~kept][0]
+        first = array[~kept][0]
         raise GraspError(
             f"{name} has {shown(first.item())}, which floats round; give what they hold, or "
             f"{remedy}"

@@ -142,8 +142,8 @@ def check_grasps(
     >>> check_grasps(points, -points, 0.5, loads, preload=1).resisted.tolist()
     [[True, False], [True, True]]
     """
-    given = friction, stiffness, preload, adhesion
-    values = dict(zip(VALUES, given, strict=True))
+    data = friction, stiffness, preload, adhesion
+    values = dict(zip(VALUES, data, strict=True))
     arrays = read_arrays(points, normals, values, wrenches)
     return check_as_written(arrays, None, jobs=jobs, dask=dask)
 

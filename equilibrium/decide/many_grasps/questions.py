@@ -104,7 +104,7 @@ def questions(
     friction, stiffness, preload = (np.where(pressing, x, 0.0) for x in values)
     points, normals = (np.where(pressing[..., None], x, 0.0) for x in (points, normals))
     # Then nothing underflows on the way.
-    given = _moderate(_SMALLEST**2, loads, friction, stiffness, preload, points)
+    moderate = _moderate(_SMALLEST**2, loads, friction, stiffness, preload, points)
     length = _unit(np.abs(points).max(axis=(1, 2), initial=0.0))
     load = loads / np.where(np.arange(loads.shape[1]) < size, 1.0, length[:, None])
     force = _unit(np.maximum(np.abs(load).max(axis=1), preload.max(axis=1, initial=0.0)))
@@ -120,7 +120,7 @@ def questions(
         middle = (np.count_nonzero(stiffness > 0, axis=1) - 1) // 2
         step = np.fmax(step, 2 * shares[np.arange(len(step)), middle])
     stiffness = stiffness * _unit(np.where(np.isfinite(step), step, 1.0))[:, None]
-    usable = given & _moderate(_SMALLEST, load, friction, stiffness, preload, points)
+    usable = moderate & _moderate(_SMALLEST, load, friction, stiffness, preload, points)
     unit = _directions(normals)
     frame = np.stack([unit, *_tangents(unit)], axis=2)
     turns = _torques(points[:, :, None], frame)

@@ -111,8 +111,8 @@ class ManyGrasps(NamedTuple):
             InputError: the file cannot be read, or does not have loads for all grasps.
         """
         if is_npz(path):
-            given = _read_arrays(path, ("wrenches",), ("wrenches",))["wrenches"]
-            wrenches = read_wrenches(given, len(self.names), self.dimension)
+            array = _read_arrays(path, ("wrenches",), ("wrenches",))["wrenches"]
+            wrenches = read_wrenches(array, len(self.names), self.dimension)
             if not isinstance(self.source, list):
                 return self._replace(source=(*self.source[:-1], wrenches), loads=None)
             return self._replace(loads=[list(from_floats(x.tolist())) for x in wrenches])
@@ -163,11 +163,11 @@ def read_grasps(path: str) -> ManyGrasps:
         InputError: the file cannot be read, or is no such table.
     """
     if is_npz(path):
-        given = _read_arrays(path, (*_REQUIRED, *VALUES[1:], "wrenches"), _REQUIRED)
-        size = WRENCH_SIZES.get((given["points"].shape or (0,))[-1], 3)
-        values = {name: given.get(name, int(name == "stiffness")) for name in VALUES}
-        wrenches = given.get("wrenches", np.zeros((0, size)))
-        arrays = read_arrays(given["points"], given["normals"], values, wrenches)
+        columns = _read_arrays(path, (*_REQUIRED, *VALUES[1:], "wrenches"), _REQUIRED)
+        size = WRENCH_SIZES.get((columns["points"].shape or (0,))[-1], 3)
+        values = {name: columns.get(name, int(name == "stiffness")) for name in VALUES}
+        wrenches = columns.get("wrenches", np.zeros((0, size)))
+        arrays = read_arrays(columns["points"], columns["normals"], values, wrenches)
         return ManyGrasps([str(i + 1) for i in range(len(arrays[0]))], arrays)
     groups = _groups(path, lambda header: check_header(header, (_GRASP,)))
     for rows in groups.values():

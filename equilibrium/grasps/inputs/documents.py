@@ -134,12 +134,12 @@ def with_unit_normals(
     entries = check_list(document["contacts"], "contacts")
     for i, entry in enumerate(entries):
         check_keys(entry, _BODY_KEYS, entry, f"contacts[{i}]")
-    bare = [{key: x for key, x in one.items() if key not in _BODY_KEYS} for one in entries]
+    bare = [{key: x for key, x in row.items() if key not in _BODY_KEYS} for row in entries]
     source = {"schema_version": 1, "contacts": bare}
     conversion = read_any(source, round_normals=True, as_given=as_given)
     contacts = [
-        {**{key: one[key] for key in _BODY_KEYS}, **contact.to_dict()}
-        for one, contact in zip(entries, conversion.grasp, strict=True)
+        {**{key: row[key] for key in _BODY_KEYS}, **contact.to_dict()}
+        for row, contact in zip(entries, conversion.grasp, strict=True)
     ]
     error = conversion.grasp.data_error
     known = {} if error is None else {"data_error": error.to_dict()}

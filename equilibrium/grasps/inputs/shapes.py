@@ -113,28 +113,28 @@ def read_shapes(
     if friction is not None:
         document["friction"] = friction
     values = PairValues(document, {shape.name for shape in shapes})
-    found = touching(
+    touches = touching(
         shapes,
         values,
         gap=document.get("gap", 0) if gap is None else gap,
         angle_tolerance=angle_tolerance,
     )
-    remarks = found.remarks
+    remarks = touches.remarks
     pulls = check_list(document.get("threads", []), "threads")
     threads = [
         _thread(row, i, names, several, angle_tolerance, remarks) for i, row in enumerate(pulls)
     ]
     units = Units.from_dict(document["units"]) if "units" in document else None
     if not several:
-        contacts = [contact for *_, contact in (*found.contacts, *threads)]
+        contacts = [contact for *_, contact in (*touches.contacts, *threads)]
         form: Any = shapes[0].form
         outline = form if isinstance(form, Circle | Polygon) else None
-        return ReadShapes(Grasp(contacts, units, outline), None, found, remarks)
+        return ReadShapes(Grasp(contacts, units, outline), None, touches, remarks)
     bodies = [_body(row, shape) for row, shape in zip(rows, shapes, strict=False)]
-    made = found.assembly(bodies, [x.form for x in shapes if not x.is_body])
+    made = touches.assembly(bodies, [x.form for x in shapes if not x.is_body])
     pulled = [BodyContact(*entry) for entry in threads]
     assembly = replace(made, contacts=(*made.contacts, *pulled), units=units)
-    return ReadShapes(assembly, _wrenches(assembly, rows, document), found, remarks)
+    return ReadShapes(assembly, _wrenches(assembly, rows, document), touches, remarks)
 
 
 def listed_shapes(document: Mapping[str, Any]) -> tuple[list[Shape], list[Any], bool]:

@@ -200,10 +200,10 @@ class MotionRegions:
         return generators / size[..., None], size
 
     def _floats(self, generators: Floats) -> Regions:
-        given = self.contacts.floats, self.virtual.load, generators
+        data = self.contacts.floats, self.virtual.load, generators
         if not len(self.rows):
             none = np.zeros(len(generators), dtype=np.intp)
-            return Regions(*given, np.zeros(generators.shape[:2]), none)
+            return Regions(*data, np.zeros(generators.shape[:2]), none)
         # The row that most of the region breaks.
         values = generators @ self.rows.T
         least, most = values.min(axis=1), values.max(axis=1)
@@ -211,7 +211,7 @@ class MotionRegions:
         row = share.argmax(axis=1)
         beyond = np.take_along_axis(values, row[:, None, None], axis=2)[:, :, 0]
         beyond = np.where(share.max(axis=1)[:, None] > 0, beyond, 0.0)
-        return Regions(*given, beyond, row)
+        return Regions(*data, beyond, row)
 
     def _unclosed(self, regions: list[_OpenRegion]) -> list[_OpenRegion]:
         """Close what can be closed; return the others."""

@@ -73,8 +73,8 @@ class StateSplits:
         # What the decided contacts give.
         pressing = np.flatnonzero(decided & ~apart)
         arms = np.where(signs[:, None] > 0, *contacts.edges) * contacts.shares[:, None]
-        given = product(arms[pressing].T, contacts.spring[pressing])
-        given = given / Fraction(contacts.common_unit)
+        spring_rows = product(arms[pressing].T, contacts.spring[pressing])
+        spring_rows = spring_rows / Fraction(contacts.common_unit)
         rows = contacts.rows
         self._all = LinearQuestion(rows, wrench, signs=tuple(signs.tolist()))
         self.question = LinearQuestion(
@@ -82,7 +82,7 @@ class StateSplits:
             wrench,
             max_displacement=contacts.max_displacement,
             region=tuple(tuple(map(Fraction, (*row[1:], row[0]))) for row in weights),
-            background=tuple((*row[1:], row[0]) for row in given.tolist()),
+            background=tuple((*row[1:], row[0]) for row in spring_rows.tolist()),
             signs=tuple(self._all.signs[i] for i in self.open),
             chords=tuple(chords),
         )

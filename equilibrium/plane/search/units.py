@@ -90,10 +90,10 @@ class SearchUnits:
         """Return a largest displacement in these units."""
         return None if bound is None else bound / self.step
 
-    def solution_back(self, found: Solution) -> Solution:
+    def solution_back(self, solution: Solution) -> Solution:
         """Return an equilibrium in the units of the question."""
-        (x, y, r), unit = found.motion, self.step
-        forces = ((self.force * normal, self.force * rub) for normal, rub in found.forces)
+        (x, y, r), unit = solution.motion, self.step
+        forces = ((self.force * normal, self.force * rub) for normal, rub in solution.forces)
         return Solution((unit * x, unit * y, unit / self.length * r), tuple(forces))
 
     def tree_back(self, node: Node, region: Sequence[IntegerVector] = HALF_SPACE) -> Node:
@@ -134,8 +134,8 @@ class SearchUnits:
 
     def _size(self, generator: IntegerVector) -> int:
         """Return which multiple of a primitive vector a generator is in units of `_whole`."""
-        *_, one, step, turn = self._whole
-        return math.gcd(*(x * u for x, u in zip(generator, (one, step, step, turn), strict=True)))
+        *_, unit, step, turn = self._whole
+        return math.gcd(*(x * u for x, u in zip(generator, (unit, step, step, turn), strict=True)))
 
     def _leaf(self, leaf: Leaf) -> Leaf:
         """Return a leaf; its works are those in these units times a positive number."""

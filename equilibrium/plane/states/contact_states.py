@@ -74,10 +74,10 @@ def _count(planes: Arrangement, contacts: int) -> None:
     from arrangement import counts
 
     for step in (27, 9, 3, 1):
-        some = planes.firsts[::step]
-        if step > 1 and len(some) < _PLANES_COUNTED_FIRST:
+        chosen = planes.firsts[::step]
+        if step > 1 and len(chosen) < _PLANES_COUNTED_FIRST:
             continue
-        normals, offsets = [planes.normals[i] for i in some], [planes.offsets[i] for i in some]
+        normals, offsets = [planes.normals[i] for i in chosen], [planes.offsets[i] for i in chosen]
         part = Arrangement(normals, offsets, dimension=3)
         number: int = sum(counts.f_vector(part)[1:])
         if budget.excess(bytes=24 * number * contacts) > 1:

@@ -106,9 +106,9 @@ class Screen:
         start = self._grasp.total_load(base)
         wrenches = [start] if direction is None else [start, direction]
         if all(map(are_moderate, wrenches)):
-            given = [np.array([nearest(x) for x in wrench]) for wrench in wrenches]
+            floats = [np.array([nearest(x) for x in wrench]) for wrench in wrenches]
             for batch in watched(self._batches, "batches of states"):
-                possible[batch.rows] = batch.possible(*given)
+                possible[batch.rows] = batch.possible(*floats)
         return possible
 
 
@@ -187,14 +187,14 @@ class _Batch:
 
     def _solve(self, wrench: Floats, loaded: float = 1.0) -> _Solutions:
         """Solve for one wrench, with the preloads or (`loaded` 0) without."""
-        given = np.zeros((len(self.codes), self.size, 1))
-        given[:, :3, 0] = loaded * self.load + wrench
-        z = self.inverse @ given
+        right = np.zeros((len(self.codes), self.size, 1))
+        right[:, :3, 0] = loaded * self.load + wrench
+        z = self.inverse @ right
         size = np.abs(z)
-        bound = np.abs(given - self.matrix @ z) + self.matrix_error @ size
+        bound = np.abs(right - self.matrix @ z) + self.matrix_error @ size
         # As in `_invert`, and one more subtraction.
         product = error_bound(2 * (self.size + 4))
-        bound += product * (np.abs(given) + np.abs(self.matrix) @ size)
+        bound += product * (np.abs(right) + np.abs(self.matrix) @ size)
         bound[:, :3, 0] += loaded * self.load_error + _ROUNDED_ERROR * np.abs(wrench)
         spread = (np.abs(self.inverse) @ bound)[:, :, 0].max(axis=1)
         error = _MARGIN * spread / (1 - self.beta) + _UNDERFLOW
@@ -209,13 +209,13 @@ class _Batch:
             solutions = [self._solve(base)]
             if direction is not None:
                 solutions.append(self._solve(direction, 0.0))
-            bounds = [self._springs(one) for one in solutions]
+            bounds = [self._springs(solution) for solution in solutions]
             possible = ~_surely_empty(*bounds)
             left = np.flatnonzero(possible)
             if len(left):
                 bounds = [
-                    np.hstack([springs[left], self._slips_and_friction(one.at(left), left)])
-                    for springs, one in zip(bounds, solutions, strict=True)
+                    np.hstack([springs[left], self._slips_and_friction(solution.at(left), left)])
+                    for springs, solution in zip(bounds, solutions, strict=True)
                 ]
                 possible[left] = ~_surely_empty(*bounds)
         return possible

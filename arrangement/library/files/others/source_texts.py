@@ -152,8 +152,8 @@ def _items(text: str, space: str) -> list[_Item]:
     """Return the hyperplanes that the first arrangement of a text consists of."""
     call = re.search(rf"\b{re.escape(space)}\s*\(", text)
     if call is not None:
-        given = split_outside(inside(text, call.end() - 1, "()"))
-        items = [_read_nested(part) for part in given if not _OPTION.match(part)]
+        arguments = split_outside(inside(text, call.end() - 1, "()"))
+        items = [_read_nested(part) for part in arguments if not _OPTION.match(part)]
         first = items[0] if items else ""
         is_list = isinstance(first, list) and not (
             all(isinstance(x, str) and re.fullmatch(r"-?\s*[0-9]+(?:/[0-9]+)?", x) for x in first)
