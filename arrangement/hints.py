@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import FrozenInstanceError
 from enum import Enum
 from functools import wraps
@@ -30,6 +30,10 @@ _FIRST = re.compile(r"(?<![\w.])(\w+)(?=[.(])")
 _PACKAGES = ("arrangement", "equilibrium", "proofs_check")
 #: Of more arguments than this no call is shown.
 _MANY = 4
+#: An argument that is written where there is it: without it planes pass through the origin.
+_AFFINE = "affine"
+#: Arguments that are exact numbers.
+_EXACT = re.compile(r"[( ](?:direction|normal|offset|point|wrench)[,)]")
 #: The method that is written with brackets.
 _ITEM = "__getitem__"
 #: What comes before a noun, or behind it, where its number is meant; and what says nothing.
@@ -99,7 +103,8 @@ def _with_import(own: Any, use: str) -> str:
     names = [name for name in first if name in dir(sys.modules[_package(own)])]
     imports = [f"from {_package(own)} import {', '.join(names)}"] * bool(names)
     imports += [f"import {name}" for name in first if name in _PACKAGES]
-    return f"{use} ({'; '.join(imports)})" if imports else use
+    use += f" ({'; '.join(imports)})" * bool(imports)
+    return use + ', floats as strings such as "0.2"' * bool(_EXACT.search(use))
 
 
 def _meant(name: str, uses: Mapping[str, str]) -> str | None:
@@ -177,7 +182,7 @@ def _use(name: str, value: object) -> str:
     value = getattr(value, "__func__", value)
     if not callable(value) or (isinstance(value, type) and issubclass(value, (Exception, Enum))):
         return name
-    needed = _needed(value)
+    needed = _usual(value)
     if name == _ITEM:
         return f"[{needed[0]}]"
     is_short = len(needed) <= _MANY and not any(word[0] == "_" for word in needed)
@@ -197,6 +202,13 @@ def _needed(function: Callable[..., Any]) -> list[str]:
     marks = {"VAR_POSITIONAL": "*{0}", "KEYWORD_ONLY": "{0}={0}", "VAR_KEYWORD": ""}
     needed = [(name, x) for name, x in _parameters(function).items() if x.default is x.empty]
     return [*filter(None, (marks.get(x.kind.name, "{0}").format(name) for name, x in needed))]
+
+
+def _usual(function: Callable[..., Any]) -> list[str]:
+    """Return the arguments with which a call is shown, as they are written."""
+    if _AFFINE not in (parameters := _parameters(function)):
+        return _needed(function)
+    return [*(x for x, y in parameters.items() if y.kind is not y.KEYWORD_ONLY), f"{_AFFINE}=True"]
 
 
 def _listed(own: Any, uses: Mapping[str, str]) -> list[str]:
@@ -353,8 +365,38 @@ def _refused_call(
     }
     first = [word for word, x in parameters.items() if x.kind is x.POSITIONAL_OR_KEYWORD][:1]
     does = summary(function)
-    means = described(lines) or f": {does[:1].lower()}{does[1:]}"
-    return TypeError(f"{reason}. Write {name}({', '.join(needed or first)}){means}")
+    means = f": {does[:1].lower()}{does[1:]}" * (not any(lines.values()) and bool(does))
+    means += described(lines)
+    use = _renamed(known, values, options, synonyms) or ", ".join(_usual(function) or first)
+    return TypeError(f"{reason}. Write {name}({use}){means}")
+
+
+def _renamed(
+    known: Any, values: Sequence[Any], options: Mapping[str, Any], synonyms: Mapping[str, str]
+) -> str:
+    """Return the arguments of a call by the names that there are; empty where that is no call."""
+    given = {synonyms.get(word, word): value for word, value in options.items()}
+    try:
+        bound = known.bind(*values, **given)
+    except TypeError:
+        return ""
+    bound.arguments.pop("self", None)
+    texts = []
+    for word, value in bound.arguments.items():
+        text = _as_text(value, "float" in str(known.parameters[word].annotation))
+        texts.append(f"{word}={text}" if text and word in given else text)
+    return ", ".join(texts) if all(texts) else ""
+
+
+def _as_text(value: Any, as_float: bool) -> str:
+    """Return a number, a text or a list as it is written; empty for anything else."""
+    value = getattr(value, "tolist", lambda: value)()
+    if isinstance(value, float) and not as_float:
+        return f'"{value}"'
+    if isinstance(value, list | tuple) and len(value) <= _MANY:
+        texts = [_as_text(x, as_float) for x in value]
+        return f"[{', '.join(texts)}]" * all(texts)
+    return repr(value) * isinstance(value, int | float | str)
 
 
 def hints_on_arguments(
@@ -391,6 +433,15 @@ def _answering(name: str, value: Any) -> Any:
         return value
     call: Any = hints_on_arguments({})(function)
     return call if function is value else classmethod(call)
+
+
+def hints_on_module(module: ModuleType) -> None:
+    """Let the functions of a package answer calls that do not fit, as they are called by users."""
+    for name, value in vars(module).copy().items():
+        own = getattr(value, "__module__", "").partition(".")[0] in _PACKAGES
+        if own and (call := _answering(name, value)) is not value:
+            call.__module__ = module.__name__  # `pickle` finds it there
+            setattr(module, name, call)
 
 
 class Hints(type):

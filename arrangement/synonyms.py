@@ -120,7 +120,7 @@ ARRANGEMENT: Mapping[str, Mapping[str, str]] = {
         n_edges -> A.f_vector[1]
         n_faces -> sum(A.f_vector)
         n_vertices -> A.f_vector[0]
-        random -> arrangement.families.random_integer(5, 2)
+        random -> arrangement.families.random_integer(5, 2, seed=1, affine=True)
         to_dataframe to_pandas -> pandas.DataFrame(A.sign_vectors())
         to_json -> json.dumps(A.to_dict())
         to_numpy -> A.sign_vectors()
@@ -151,7 +151,7 @@ PACKAGE: Mapping[str, str] = by_word("""
     boolean -> arrangement.families.coordinate
     examples hyperplane_arrangements -> families
     Matroid OrientedMatroid -> arrangement.counts.bases(A)
-    random random_arrangement -> arrangement.families.random_integer(5, 2)
+    random random_arrangement -> arrangement.families.random_integer(5, 2, seed=1, affine=True)
     load open read read_csv -> arrangement.read_arrangement(path)
     plot -> A.draw()
 """)

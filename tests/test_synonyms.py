@@ -15,7 +15,7 @@ from importlib import import_module
 from importlib.resources import files
 from inspect import signature
 from pathlib import Path
-from types import ModuleType, SimpleNamespace
+from types import FunctionType, ModuleType, SimpleNamespace
 from typing import ClassVar
 
 import numpy as np
@@ -58,7 +58,7 @@ def answer(owner: object, word: str) -> str:
     """Return what is to be written in place of an unknown name."""
     with pytest.raises(AttributeError) as error:
         getattr(owner, word)
-    text = re.split(r" \((?:from|import) |; \w+ has", str(error.value))[0]
+    text = re.split(r" \((?:from|import) |, floats as |; \w+ has", str(error.value))[0]
     head, _, use = text.partition("; use ")
     assert head.endswith(f"has no attribute {word!r}")
     return use
@@ -236,6 +236,36 @@ def test_another_word_for_an_argument_is_answered():
         proofs_check.claim("regions > 2", domain="simple")
     with pytest.raises(TypeError, match=r"exercise has no argument marks; use points[.]"):
         proofs_check.exercise("How many?", marks=2)
+
+
+def test_call_is_answered_with_what_was_typed():
+    with pytest.raises(TypeError, match=r"no argument mu; use friction[.] Write Con") as error:
+        Contact(np.array([0.1, 0]), normal=[1, 0], mu=0.4)
+    use = str(error.value).partition("Write ")[2].partition("\n")[0]
+    assert use == 'Contact(["0.1", "0.0"], normal=[1, 0], friction="0.4")'
+    run(use, Contact=Contact)
+    with pytest.raises(TypeError, match=r"Write Contact\(point, normal, friction\)"):
+        Contact([Painted, 0], normal=[1, 0], mu=0.4)  # no numbers to write
+
+
+@pytest.mark.parametrize(
+    "module", [families, arrangement.counts, arrangement.census, equilibrium.inputs]
+)
+def test_functions_of_packages_answer_calls_that_do_not_fit(module):
+    names = [x for x in dir(module) if isinstance(getattr(module, x), FunctionType) and x[0] != "_"]
+    assert names
+    for name in names:
+        function = getattr(module, name)
+        with pytest.raises(TypeError, match=rf"^{name} (has no|needs) .+[.] Write {name}\("):
+            function(xyzzy=1)
+        assert pickle.loads(pickle.dumps(function)) is function
+
+
+@pytest.mark.parametrize("name", ["generic", "random_integer", "random_degenerate"])
+def test_lines_in_general_position_are_affine(name):
+    use = answer(Arrangement, name)
+    assert use == f"arrangement.families.{name}(m, d, affine=True)"
+    run(use, arrangement=arrangement, m=4, d=2)
 
 
 @pytest.mark.parametrize("word", ARGUMENTS)

@@ -15,7 +15,7 @@ from opcode import opname
 from types import FrameType, ModuleType
 from typing import Any
 
-from arrangement.hints import missing_attribute
+from arrangement.hints import hints_on_module, missing_attribute
 
 #: For each kind of entry its names, each with the place of a function.
 _ADDED: Mapping[str, Mapping[str, str]] = {
@@ -98,8 +98,9 @@ def lazy_names(
     def get(name: str) -> Any:
         if name in known:
             value = get_known(name)
-            if isinstance(value, ModuleType):
-                vars(value).setdefault("__getattr__", partial(_refuse, value))
+            if isinstance(value, ModuleType) and "__getattr__" not in vars(value):
+                hints_on_module(value)
+                vars(value)["__getattr__"] = partial(_refuse, value)
             return value
         caller = sys._getframe(1)
         if name == "__all__" and caller.f_globals.get("__name__") != "pydoc":
