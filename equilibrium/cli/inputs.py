@@ -59,7 +59,9 @@ def add_commands(commands: Any) -> None:
 
     text = "snap measured or simulated data in floats"
     floats = _add(kinds, "floats", text, "read_float_data", options=("tolerance",))
-    floats.add_argument("file", metavar="DATA", help="a JSON or .csv file, or - for stdin (JSON)")
+    floats.add_argument(
+        "file", metavar="DATA", help="a JSON, .csv or .npz file, or - for stdin (JSON)"
+    )
     text = "largest change of a coordinate or value"
     add_number(floats, "--tolerance", Fraction(1, 10**6), text)
     for parser in (lines, floats):

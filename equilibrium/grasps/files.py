@@ -27,6 +27,7 @@ from equilibrium.certificate.checker import check
 from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.certificate.report import Question, Report
+from equilibrium.grasps.npz_file import refuse_npz
 from equilibrium.model.errors import CertificateError, GraspError
 from equilibrium.model.grasp import Grasp
 
@@ -89,6 +90,7 @@ def read_contacts(
     expected = ("contacts", *kinds)
     if isinstance(source, Mapping):
         return read_document(source, expected)
+    refuse_npz(source)
     try:
         text, name = read_text(source)
     except InputError as error:

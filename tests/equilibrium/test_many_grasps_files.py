@@ -2,14 +2,17 @@
 
 import csv
 import io
+import re
 import zipfile
 
 import numpy as np
 import pytest
 
+from equilibrium import GraspError, read_grasp
 from equilibrium.cli.program import main
 from equilibrium.decide.many_grasps.arrays import near_floats
 from equilibrium.decide.many_grasps.tables import read_grasps
+from equilibrium.grasps.inputs import from_float_data
 from equilibrium.model.labels import AS_ROUNDED
 from tests.archives import HEADERS, mutants
 
@@ -58,6 +61,28 @@ def test_arrays_of_one_grasp_need_no_axis_of_grasps(files, run):
     np.savez("one.npz", **ARRAYS | {name: array[0] for name, array in one.items()})
     printed = run("solve first.npz --weight 1", code=None)
     assert run("solve one.npz --weight 1", code=None) == printed
+
+
+def test_arrays_of_one_grasp_are_made_exact(files, run, capsys):
+    data = {"points": [[-1, 0.1], [1, 0.1]], "normals": [[0.3, 1], [-3, 0]]}
+    np.savez("one.npz", **data, friction=np.float32(0.3))
+    for command in ("resisted one.npz", "info one.npz", "draw one.npz -o one.svg"):
+        assert main(command.split()) == 2
+        line = re.findall(r"`equilibrium (make floats .+?)`", capsys.readouterr().err)[0]
+    run(line)
+    grasp, direct = read_grasp("one.json"), from_float_data(**data, friction=0.3).grasp
+    assert grasp == direct
+    assert grasp.data_error.angle > 0
+    np.savez("none.npz", **data)
+    for command in ("make floats none.npz", "solve none.npz --weight 1"):
+        assert main(command.split()) == 2
+        line = re.findall(r"such as numpy[.](savez\(.*\))", capsys.readouterr().err)[0]
+    eval(line, {"savez": np.savez, "numpy": np})  # noqa: S307
+    assert main(["make", "floats", "none.npz"]) == 0
+    assert main(["make", "floats", "grasps.npz"]) == 2
+    assert "points of shape (2, 3, 2); expected (m, 2)" in capsys.readouterr().err
+    with pytest.raises(GraspError, match=r"equilibrium make floats one.npz .*read_float_data"):
+        read_grasp("one.npz")
 
 
 def test_answers_written_as_csv_and_npz(files, run):

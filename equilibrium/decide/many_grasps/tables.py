@@ -13,9 +13,7 @@ from __future__ import annotations
 import csv
 import io
 import math
-import os
-import zipfile
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
@@ -23,11 +21,10 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from arrangement.console.writing import write_bytes_atomically
-from arrangement.errors import InputError
-from arrangement.library.files.json_files import read_bytes, read_text
-from arrangement.numbers import budget
+from arrangement.library.files.json_files import read_text
 from arrangement.numbers.exact import RationalVector, from_floats, rational, shown
 from equilibrium.grasps.inputs.csv_file import Table, check_header, exact_contacts, read_rows
+from equilibrium.grasps.npz_file import BYTES, REQUIRED, is_npz, read_npz
 from equilibrium.model.contact import VALUES, WRENCH_SIZES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import ask_contacts, read_wrench
@@ -38,7 +35,6 @@ from .check import CheckedGrasps, Source, exact_grasp
 
 _GRASP = "grasp"
 _AXES = ("x", "y", "z")
-_KIND = "bytes of many grasps"
 #: Arrays of answers, by the names of `CheckedGrasps`.
 ANSWERS = ("resisted", "screened", "exact", "undecided")
 #: Columns, by the numbers of a wrench.
@@ -48,7 +44,6 @@ _WRENCHES = {
 }
 #: Remarks on grasps that are printed.
 _MOST_REMARKS = 3
-_REQUIRED = ("points", "normals", VALUES[0])
 #: The lines of each grasp by its name, with the numbers of the lines.
 _Groups: TypeAlias = dict[str, list[tuple[int, dict[str, str]]]]
 
@@ -111,7 +106,7 @@ class ManyGrasps(NamedTuple):
             InputError: the file cannot be read, or does not have loads for all grasps.
         """
         if is_npz(path):
-            array = _read_arrays(path, ("wrenches",), ("wrenches",))["wrenches"]
+            array = read_npz(path, ("wrenches",), ("wrenches",))["wrenches"]
             wrenches = read_wrenches(array, len(self.names), self.dimension)
             if not isinstance(self.source, list):
                 return self._replace(source=(*self.source[:-1], wrenches), loads=None)
@@ -151,11 +146,6 @@ class ManyGrasps(NamedTuple):
         return self._replace(source=[grasp.with_preload(preload) for grasp in listed])
 
 
-def is_npz(path: str | os.PathLike[str]) -> bool:
-    """Return whether a path is that of an NPZ file."""
-    return os.fspath(path).lower().endswith(".npz")
-
-
 def read_grasps(path: str) -> ManyGrasps:
     """Return the grasps of a file.
 
@@ -163,7 +153,7 @@ def read_grasps(path: str) -> ManyGrasps:
         InputError: the file cannot be read, or is no such table.
     """
     if is_npz(path):
-        columns = _read_arrays(path, (*_REQUIRED, *VALUES[1:], "wrenches"), _REQUIRED)
+        columns = read_npz(path, (*REQUIRED, *VALUES[1:], "wrenches"), REQUIRED)
         size = WRENCH_SIZES.get((columns["points"].shape or (0,))[-1], 3)
         values = {name: columns.get(name, int(name == "stiffness")) for name in VALUES}
         wrenches = columns.get("wrenches", np.zeros((0, size)))
@@ -201,34 +191,9 @@ def _check_wrenches(header: list[str]) -> None:
 def _groups(path: str, check: Any) -> _Groups:
     """Return the lines of a CSV file by their grasps, with their numbers."""
     groups: _Groups = {}
-    for line, row in Table(read_text(Path(path), _KIND)[0]).rows(check):
+    for line, row in Table(read_text(Path(path), BYTES)[0]).rows(check):
         groups.setdefault(row.pop(_GRASP, ""), []).append((line, row))
     return groups
-
-
-def _read_arrays(path: str, known: Sequence[str], required: Sequence[str]) -> dict[str, Any]:
-    """Return the arrays of an NPZ file; nothing in it is run."""
-    content = io.BytesIO(read_bytes(Path(path), shown(path), _KIND))
-    try:
-        with zipfile.ZipFile(content) as archive:
-            budget.check_size(sum(x.file_size for x in archive.infolist()), _KIND, path)
-        with np.load(content, allow_pickle=False) as archive:
-            arrays = {name: archive[name] for name in archive.files}
-    except (OverflowError, MemoryError):
-        raise GraspError(f"{path} is damaged: an array claims more than is in the file") from None
-    except InputError:
-        raise
-    except Exception:
-        # zipfile, its decompressors and the parser of NumPy's headers raise errors of many kinds.
-        raise GraspError(
-            f"{path} is not an NPZ file of arrays of numbers, or damaged or encrypted; expected a "
-            "file that numpy.savez writes"
-        ) from None
-    if missing := [name for name in required if name not in arrays]:
-        raise GraspError(f"{path} has no array {missing[0]}; expected {', '.join(required)}")
-    if unknown := [name for name in arrays if name not in known]:
-        raise GraspError(f"{path} has the array {shown(unknown[0])}; expected {', '.join(known)}")
-    return arrays
 
 
 def answers_csv(many: ManyGrasps, checked: CheckedGrasps) -> str:

@@ -3,8 +3,8 @@
 The JSON form of a file is ``{"schema_version": 1, "points": [[-0.1, 0], ...], "normals": [[1, 0],
 ...], "friction": 0.3}``, if wanted with ``stiffness``, ``preload`` and ``adhesion``; each of these
 is one number for all contacts or a list. A grasp document with floats is read too. A CSV file has
-the columns of `csv_file`. Numbers are decimals, also with an exponent such as ``2.5e-3``, or
-ratios.
+the columns of `csv_file`, an NPZ file of NumPy the same as arrays. Numbers are decimals, also with
+an exponent such as ``2.5e-3``, or ratios.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ from arrangement.numbers.exact import (
     shown,
 )
 from equilibrium.grasps.files import read_contacts
+from equilibrium.grasps.npz_file import REQUIRED, is_npz, read_npz
 from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 
@@ -145,10 +146,10 @@ def read_float_data(
     angle_tolerance: Any = DEFAULT_TOLERANCE,
     as_given: bool = False,
 ) -> Conversion:
-    """Read float data from a CSV file (a path that ends in ``.csv``) or a JSON document.
+    """Read float data from a CSV or NPZ file, by the ending of the path, or a JSON document.
 
     Raises:
-        InputError: for anything that has not one of the two forms; in a CSV file it names the line.
+        InputError: for anything that has not one of these forms; in a CSV file it names the line.
     """
     convert: Any = partial(
         from_float_data, tolerance=tolerance, angle_tolerance=angle_tolerance, as_given=as_given
@@ -156,6 +157,15 @@ def read_float_data(
     if is_table(source):
         rows = Table(read_text(Path(source))[0]).contacts()
         return read_rows(rows, lambda x, y, values: convert(x, y, **value_columns(values)), _number)
+    if is_npz(source):
+        arrays = read_npz(source, (*REQUIRED, *VALUES[1:]), REQUIRED)
+        if arrays["points"].ndim != 2:
+            raise GraspError(
+                f"{source} has points of shape {arrays['points'].shape}; expected (m, 2) or "
+                "(m, 3). Arrays (G, m, 2) are many grasps, which `equilibrium solve` reads"
+            )
+        made: Conversion = convert(**{name: array.tolist() for name, array in arrays.items()})
+        return made
     document = read_contacts(source, "points", floats=float)
     extras: list[dict[str, Any]] = []
     if "contacts" in document:
