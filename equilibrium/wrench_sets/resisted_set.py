@@ -94,11 +94,12 @@ class ResistedSet(JsonMixin):
             friction -> margin(wrench).friction()
             plot show -> draw()
             region -> slice(u, v)
+            preload sufficient_preloads -> margin(wrench).preloads, or preloads(wrenches, contacts)
         """),
     }
     _main: ClassVar[Mapping[str, str]] = {
         "one wrench": "contains solve margin",
-        "many": "along slice polyhedra smallest_outside check",
+        "many": "along slice polyhedra smallest_outside check preloads",
         "show": "draw to_dict",
     }
 

@@ -38,7 +38,6 @@ from arrangement.library.census.catalogue import MOST_PLANES, exact_chirotope, n
 from arrangement.library.census.chirotopes import (
     Integers,
     Signs,
-    Vectors,
     canonical,
     chirotope_of,
     extended,
@@ -58,7 +57,7 @@ _EXACT_IN_FLOAT32 = 2**24
 
 
 @lru_cache(maxsize=2)
-def box(size: int) -> Vectors:
+def box(size: int) -> Integers:
     """Return the primitive vectors with entries up to `size`, up to sign, smallest first."""
     entries = np.arange(-size, size + 1)
     vectors = np.stack(np.meshgrid(entries, entries, entries, indexing="ij"), -1).reshape(-1, 3)
@@ -66,7 +65,7 @@ def box(size: int) -> Vectors:
     first = vectors[np.arange(len(vectors)), (vectors != 0).argmax(1)]
     vectors = vectors[first > 0]
     sizes = np.abs(vectors)
-    ordered: Vectors = vectors[np.lexsort((*vectors.T[::-1], sizes.sum(1), sizes.max(1)))]
+    ordered: Integers = vectors[np.lexsort((*vectors.T[::-1], sizes.sum(1), sizes.max(1)))]
     return ordered
 
 
@@ -78,14 +77,14 @@ def keys(localizations: Signs) -> Integers:
     return result
 
 
-def smallest_vectors(normals: Vectors, wanted: Integers, size: int) -> NDArray[np.intp]:
+def smallest_vectors(normals: Integers, wanted: Integers, size: int) -> NDArray[np.intp]:
     """Return the place in `box(size)` of the first vector with each wanted key, or -1."""
     available, first = np.unique(keys(_localizations(normals, box(size))), return_index=True)
     place = np.searchsorted(available, wanted).clip(max=len(available) - 1)
     return np.where(available[place] == wanted, first[place], -1)
 
 
-def _localizations(normals: Vectors, vectors: Vectors) -> Signs:
+def _localizations(normals: Integers, vectors: Integers) -> Signs:
     """Return the signs of det(a_i, a_j, v) for the pairs i < j and all vectors v, (V, pairs)."""
     i, j = pairs(len(normals)).T
     rays = np.cross(normals[i], normals[j])
@@ -269,7 +268,7 @@ def _tried(plan: _Workload, number: int) -> Arrays:
     return _joined(results)
 
 
-def _with_other_coordinates(basis: Vectors, larger: Vectors) -> Vectors:
+def _with_other_coordinates(basis: Integers, larger: Integers) -> Integers:
     """Return a basis, and others with its signs, from larger arrangements less one plane."""
     n = basis.shape[1]
     larger = larger[larger.any((1, 2))]
@@ -277,7 +276,7 @@ def _with_other_coordinates(basis: Vectors, larger: Vectors) -> Vectors:
     theirs, mine = (canonical(chirotope_of(rows), n) for rows in (less, basis))
     order, sides = relabelling(theirs, mine)
     moved = np.take_along_axis(less, order[..., None], axis=1) * sides[..., None]
-    alike: Vectors = moved[(theirs.codes == mine.codes).all(1)]
+    alike: Integers = moved[(theirs.codes == mine.codes).all(1)]
     return alike
 
 

@@ -288,7 +288,10 @@ def test_processes_give_the_same_answers():
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"points": [[-1.0, 0]]}, r"points is an array \(1, 2\); expected"),
+        ({"points": [[-1.0, 0]]}, r"normals is an array \(1, 2, 2\); expected \(1, 2\), as"),
+        ({"points": [-1.0, 0]}, r"points is an array \(2,\); expected \(G, m, 2\)"),
+        ({"points": [[[[-1.0, 0]]]]}, r"points is an array \(1, 1, 1, 2\); expected"),
+        ({"points": [[1.0], [2]]}, r"points is an array \(2, 1\); expected"),
         ({"points": [[["a", "b"]]]}, "points is an array of <U1"),
         ({"points": [[[np.nan, 0.0], [1, 0]]]}, r"points\[0, 0, 0\] is nan"),
         ({"points": np.ma.masked_less(ONE["points"], 0)}, "points has masked entries"),

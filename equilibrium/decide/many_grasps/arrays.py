@@ -65,14 +65,15 @@ def read_arrays(points: Any, normals: Any, values: Mapping[str, Any], wrenches: 
     """
     remedy = "ask `equilibrium.solve`"
     places = exact_floats(points, "points", "(G, m, 2) or (G, m, 3) numbers", remedy)
-    is_one = places.ndim == 2
-    places = places[None] if is_one else places
-    if places.ndim != 3 or places.shape[2] not in WRENCH_SIZES:
-        raise GraspError(f"points is an array {places.shape}; expected (G, m, 2) or (G, m, 3)")
+    if places.ndim not in (2, 3) or places.shape[-1] not in WRENCH_SIZES:
+        raise GraspError(
+            f"points is an array {places.shape}; expected (G, m, 2) or (G, m, 3), of one grasp "
+            "(m, 2) or (m, 3)"
+        )
     ways = exact_floats(normals, "normals", f"numbers like points, {places.shape}", remedy)
-    ways = ways[None] if is_one else ways
     if ways.shape != places.shape:
         raise GraspError(f"normals is an array {ways.shape}; expected {places.shape}, as points is")
+    places, ways = (x[None] if x.ndim == 2 else x for x in (places, ways))
     count, size = len(places), WRENCH_SIZES[places.shape[2]]
     loads = read_wrenches(wrenches, count, places.shape[2])
     missing: Booleans = np.all(np.isnan(places), axis=2)
