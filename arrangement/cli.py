@@ -101,7 +101,7 @@ def _parser() -> Parser:
     convert.strays[r"[a-z][\w-]*"] = "--to {}"
     convert.words = {"--format": "--to"}
     library.add_convert_options(convert)
-    text = "write an interactive page in which lines and great circles are dragged and counted"
+    text = "write an interactive page: lines and circles to drag and count, exercises (a quiz)"
     page = add("lab", _lab, text, file="?", heading="more")
     page.add_argument("-o", "--output", metavar="PAGE.html", required=True, help="the page")
     page.add_argument("--title", metavar="TEXT", help="heading of the page")

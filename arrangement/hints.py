@@ -324,7 +324,8 @@ def unknown_arguments(
     words, uses = list(words), []
     for word in words:
         use = synonyms.get(word, "")
-        if not use or (use.isidentifier() and use not in known):
+        name = use.partition("=")[0]
+        if not use or (name.isidentifier() and name not in known):
             use = " or ".join(get_close_matches(word, known, 2, _ALIKE))
         uses += [use] * bool(use)
     return ", ".join(words) + (f"; use {' and '.join(dict.fromkeys(uses))}" if uses else "")

@@ -440,13 +440,20 @@ def test_signatures_of_classes_are_those_of_their_values():
     assert [*signature(Grasp).parameters] == ["contacts", "units", "outline", "data_error"]
 
 
-def test_words_for_options_of_views_are_answered_at_once():
+def test_words_for_options_of_views_are_answered_at_once(tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
     with pytest.raises(arrangement.InputError) as error:
         LINES.draw(xlim=(0, 1), ylim=(0, 1), colour="sides")
     head, *rows = str(error.value).splitlines()
     assert head == "the view lines has no option xlim, ylim; use window. It has"
     assert [row.partition(":")[0].strip() for row in rows][:2] == ["projective", "faces"]
+    with pytest.raises(arrangement.InputError) as error:
+        LINES.draw(title="T", cmap="viridis")
+    use, colour = re.findall(r"title, cmap; use (.*) and (colour='.*') \(", str(error.value))[0]
+    names = {"LINES": LINES, "TITLE": "Lines", "FILE": "lines.svg"}
+    monkeypatch.chdir(tmp_path)
+    exec(use.replace("draw(...)", f"LINES.draw({colour})"), names)  # noqa: S102
+    assert "Lines" in Path("lines.svg").read_text()
     with pytest.raises(arrangement.InputError, match="window is 2; give a sequence of two corners"):
         LINES.draw(window=2)
     for view in (3, [0, 1, 0], LINES):
@@ -557,6 +564,9 @@ arrangement draw pencil --save a.svg | -o a.svg
 arrangement draw pencil -o a.svg --color sides | --colour sides
 arrangement lab a.csv b.csv -o a.html | for f in a.csv b.csv; do arrangement lab $f -o $f.html; done
 arrangement lattice pencil | arrangement draw pencil -o FILE.svg --view lattice
+arrangement draw pencil --format tikz | -o FILE.tex
+arrangement quiz | arrangement lab -o PAGE.html
+arrangement count --lines 5 | arrangement make generic --m 5 --d 2 --affine -o FILE.json
 arrangement interactive | arrangement lab -o PAGE.html
 arrangement isomorphism pencil | arrangement identify pencil
 arrangement families | arrangement list --families
@@ -611,6 +621,9 @@ proofs-check exercises | proofs-check grade FILE.py
 proofs-check run --format html | -o FILE
 arrangement random --lines 5 | arrangement make random-integer --m 3
 equilibrium examples | equilibrium list
+proofs-check verify --verbose | proofs-check run
+proofs-check try 'regions == m**2' --simple | --of simple
+proofs-check try 'regions == m**2' --lines | --of lines
 proofs-check list --refuted | proofs-check run
 equilibrium resisted ladder --wrench 0 0 -1 0 0 0 --on-body 1 | --on BODY F_X F_Y TAU
 proofs-check run --list | proofs-check list
@@ -680,7 +693,11 @@ def written_for(words, capsys):
         ("coxeter B3", "make coxeter --type B3", "count FILE.json"),
         ("charpoly shi 3", "make shi --type 3", "count FILE.json"),
         ("count braid(5)", "make braid --n 5", "count FILE.json"),
-        ("faces generic(5,2) --bounded", "make generic --m 5 --d 2", "faces FILE.json --bounded"),
+        (
+            "faces generic(5,2) --bounded",
+            "make generic --m 5 --d 2 --affine",
+            "faces FILE.json --bounded",
+        ),
         ("draw braid 3 -o b.svg", "make braid --n 3", "draw FILE.json -o b.svg"),
         ("count braid --n=4 --json", "make braid --n 4", "count FILE.json --json"),
         ("draw braid", "make braid --n 3", "draw FILE.json -o FILE.svg"),

@@ -52,6 +52,7 @@ from arrangement.drawing.scene import (
 )
 from arrangement.errors import InputError, MissingExtraError, refusal
 from arrangement.hints import described, hints_on_arguments, summary, unknown_arguments
+from arrangement.numbers import budget
 from arrangement.numbers.exact import shown
 from arrangement.synonyms import by_word
 
@@ -89,6 +90,11 @@ OPTION_SYNONYMS = by_word("""
     label_lines line_labels line_names -> names
     bbox bounds limits range xlim xrange ylim -> window
     force forces load -> wrench
+""")
+#: In Python other functions, and values, are written.
+_IN_PYTHON = by_word("""
+    cmap colormap palette -> colour='gold,#0072b2' (there are no colour maps)
+    suptitle title -> figure = draw(...); figure.suptitle(TITLE); figure.savefig(FILE)
 """)
 
 
@@ -545,15 +551,20 @@ class Drawings:
         self._check_name(kind, name)
         known = self.options(kind, name)
         if unknown := [option for option in options if option not in known]:
-            lacks = unknown_arguments(unknown, known, OPTION_SYNONYMS)
+            synonyms = OPTION_SYNONYMS | budget.by_caller(_IN_PYTHON, {})
+            lacks = unknown_arguments(unknown, known, synonyms)
             having = {
                 other: [
                     x for x in self.entries(other) if self.options(other, x).keys() >= {*unknown}
                 ]
                 for other in (kind, *KINDS)
             }
-            other = next(filter(having.get, having), "")
-            others = f" ({other}s with it: {', '.join(having[other])})" if other else ""
+            other = next(filter(having.get, having), "") * (";" not in lacks)
+            others = (
+                f" ({other}s with it: {', '.join(having[other])})"
+                if other and ";" not in lacks
+                else ""
+            )
             has = described({word: option.text for word, option in known.items()})
             raise InputError(f"the {kind} {name} has no option {lacks}{others}. It has{has}")
         for needed in known.values():

@@ -16,9 +16,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from arrangement.errors import InputError, OutOfReachError
+
+Remedy = TypeVar("Remedy")
 
 #: Faces of one list.
 FACES = 20_000_000
@@ -176,7 +178,7 @@ def _needed_factor(costs: tuple[_Cost, ...]) -> float:
     return max(c.amount / c.allowed if c.amount < _NEARLY_INFINITE else math.inf for c in costs)
 
 
-def by_caller(in_python: str, in_command: str) -> str:
+def by_caller(in_python: Remedy, in_command: Remedy) -> Remedy:
     """Return the remedy of an error: a call in Python, an option of a command."""
     return in_python if _meter.get() is None else in_command
 

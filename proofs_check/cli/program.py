@@ -67,7 +67,7 @@ def _parser() -> Parser:
         command(
             "run",
             "run.run_claims",
-            "check claims and print the verdicts (proved, refuted, ...)",
+            "check (verify) claims and print the verdicts (proved, refuted, ...)",
             *expected,
         )
     )
@@ -235,7 +235,7 @@ def _add_try(parser: argparse.ArgumentParser) -> None:
         help="the planes, such as simple, lines or affine(d=2); or a family, as 'catalan(n=2..6)' "
         "(default: distinct; also lines if it is refuted)",
     )
-    parser.add_argument("--when", metavar="STATEMENT", help="a hypothesis")
+    parser.add_argument("--when", metavar="STATEMENT", help="a hypothesis, such as simple")
     _add_seed(parser)
     _add_output(parser, remark="(default: none)")
     _add_numbers(parser)

@@ -56,6 +56,8 @@ _SYNONYMS: Mapping[str, str] = {
     "r": "regions",
     "b": "bounded_regions",
     "bounded": "bounded_regions",
+    "unbounded_regions": "(regions - bounded_regions)",
+    "unbounded": "(regions - bounded_regions)",
     **{f"f{k}": f"f_vector[{k}]" for k in range(5)},
     "faces": "F, or f_vector[k] for those of dimension k",
     "edges": "E",

@@ -368,7 +368,8 @@ class Registry(ReprMixin):
         near = near or [
             claim.id for claim in self if words & {*re.findall(r"\w+", claim.locator.lower())}
         ]
-        hint = f"the nearest are {', '.join(near[:4])}" if near else "no id is near"
+        ids = "".join(f", ids are words such as {x}" for x in [*self._claims][:1])
+        hint = f"the nearest are {', '.join(near[:4])}" if near else f"no id is near{ids}"
         raise UnknownClaimError(
             f"no claim has the id {shown(id)}; {hint} (proofs-check list has all, and run without "
             "an id checks all; files of claims end in .py, tables of printed numbers in .csv)"

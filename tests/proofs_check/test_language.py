@@ -60,6 +60,7 @@ LINES = generic(4, 2, affine=True)
         ("regions <= m!", r"has a factorial, 'm!', .* write such as factorial\(m\)"),
         ("regions <=", r"cannot be read; write a comparison such as regions <= m\*\*2"),
         ("vertices > 3", "'vertices' is not a quantity; write V"),
+        ("unbounded_regions > 3", r"; write \(regions - bounded_regions\)$"),
         ("binom(m, 2) > 3", "'binom' is not a function; write binomial"),
         ("number_of_regions > 3", "is not a quantity; write regions$"),
         ("V_count > 3", "is not a quantity; write V$"),

@@ -45,6 +45,7 @@ _NO_NAME = re.compile(r"[./=<>\s]")
 #: What stands for a file that `make` writes.
 _MADE = "FILE.json"
 _INTEGERS = (integer_argument, count_argument)
+_LINES = ("--lines", "--planes", "--hyperplanes")
 
 
 class Entry(NamedTuple):
@@ -240,7 +241,8 @@ def _best(command: Parser, word: str, words: Sequence[str], text: str) -> Entry:
     best, flag = nearness(word, command.prog.rpartition(" ")[2], text), ""
     by_text = 0.0 if best else 0.75
     for action, score in _scores(command, word):
-        is_near = score >= _NAMED or (0 < by_text <= score <= 1 and word not in _VERBS)
+        least = 3.0 if best > 0.8 else _NAMED
+        is_near = score >= least or (0 < by_text <= score <= 1 and word not in _VERBS)
         if score > best and is_near and action.dest not in _EVERYWHERE:
             best, flag, text = score, usage(command, action), _help(action)
     for dest, known in command.names.items():
@@ -324,6 +326,19 @@ def unknown_command(program: Parser, word: str) -> tuple[str, list[Entry]]:
     return start, sorted(entries, key=lambda entry: -entry.score)
 
 
+def _by_help(command: Parser, action: argparse.Action, words: list[str], are_values: bool) -> str:
+    """Return an option with a value that its help names: one of such as ..., or .tex (TikZ)."""
+    text = action.help or ""
+    if not are_values:
+        named = re.search(rf"such as [^;(]*\b{re.escape(words[0])}\b", text)
+        return usage(command, action, words) * bool(named)
+    for word in map(re.escape, words):
+        if ending := re.search(rf"(?i)(\.\w+) \({word}\)|(\.{word})\b", text):
+            use = usage(command, action)
+            return re.sub(r"(?<=FILE)\.\w+$", ending[1] or ending[2], use)
+    return ""
+
+
 def unknown_option(command: Parser, word: str) -> tuple[str, list[Entry]]:
     """Return the answer to an option that a command does not have, and the options to list."""
     name, equals, value = word.partition("=")
@@ -345,6 +360,8 @@ def unknown_option(command: Parser, word: str) -> tuple[str, list[Entry]]:
                 ending or value, "" if ending else action.option_strings[-1], action.help
             )
         text = usage(command, action, values if score else ())
+        if use := _by_help(command, action, values or [name[2:]], bool(values)):
+            text, score = use, score + 3 * (not values)
         fits = bool(values) and text.endswith(join(values))
         entries.append(Entry(text, action.option_strings[-1], _help(action), score + 0.5 * fits))
     for place in _places(command):
@@ -358,6 +375,10 @@ def unknown_option(command: Parser, word: str) -> tuple[str, list[Entry]]:
         entries.append(Entry(text, "", "answers go to standard output", 10.0))
     if near := nearness(name, "", about):
         entries.append(Entry(line(command, words), "", about, near))
+    if name in _LINES and [x.isdecimal() for x in values] == [True]:
+        for lines in filter(None, [_families(command).get("generic")]):
+            text = f"{values[0]} in general position; then {line(command, [_MADE, *words])}"
+            entries.append(Entry(_made(lines, values), "", text, 10.0))
     entries.sort(key=lambda entry: -entry.score)
     if entries[0].score < 0.6:
         least = 2.7 if entries[0].score else 0.6
@@ -427,6 +448,23 @@ def unexpected(command: Parser, word: str) -> tuple[str]:
     return (f"unexpected argument {shown(word)}; {use}",)
 
 
+def _families(parser: Parser) -> dict[str, Parser]:
+    make: Any = parser.commands.get("make")
+    return {} if make is None else {name: known for name, (known, _) in kinds(make).items()}
+
+
+def _made(known: Parser, operands: Sequence[str], given: Sequence[str] = ()) -> str:
+    """Return what writes a member of a family: lines of the plane, where nothing says otherwise.
+
+    Without the option ``--affine`` all planes pass through the origin.
+    """
+    known.add_lazy_options()
+    more = []
+    if "--affine" in known._option_string_actions and "--affine" not in given:
+        more = [*["--d", "2"] * (len(operands) < 2 and "--d" not in given), "--affine"]
+    return line(known, [*operands, *given, *more, "-o", _MADE])
+
+
 def family(parser: Parser, word: str, then: Callable[[list[str]], str]) -> str:
     """Return the answer to a word that names a family, as ``shi(3)``, or ``shi 3`` in two.
 
@@ -434,18 +472,17 @@ def family(parser: Parser, word: str, then: Callable[[list[str]], str]) -> str:
         then: the command that is meant, with the file and options that it may have.
     """
     match = re.fullmatch(r"([A-Za-z][\w-]*)(?:[:(](.*))?", word)
-    make: Any = parser.commands.get("make")
-    if match is None or make is None or match[1].lower().replace("_", "-") not in kinds(make):
+    known = _families(parser).get(match[1].lower().replace("_", "-")) if match else None
+    if match is None or known is None:
         return ""
-    known, _ = kinds(make)[match[1].lower().replace("_", "-")]
-    known.add_lazy_options()
     after = parser.arguments[[*parser.arguments].index(word) + 1 :]
     numbers = re.findall(r"\b[A-Z]?[0-9]+\b", match[2] or "")  # and types, as B3
     own = {*known._option_string_actions} - {"-o", "--output", *parser._option_string_actions}
     typed = Typed(known, after)
     given = [x for flag, values in typed.options if flag in own for x in (flag, *values)]
-    made = line(known, [*numbers, *typed.operands, *given, "-o", _MADE])
+    made = _made(known, [*numbers, *typed.operands], given)
     options = [*dropwhile(lambda x: not is_option(x), after)]
     for flag in given:
         options = [x for x in options if x.partition("=")[0] != flag]
-    return f"{shown(word)} is a family; write {made!r}, then {then([_MADE, *options])!r}"
+    use = f"{shown(word)} is a family; write {made!r}, then {then([_MADE, *options])!r}"
+    return use + " (without --affine, planes through the origin)" * ("--affine" in made)
