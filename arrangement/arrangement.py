@@ -360,11 +360,17 @@ class Arrangement(DrawableArrangement, Planes):
         return counts.union(self, other) if isinstance(other, Planes) else NotImplemented
 
     def deletion(self, *planes: int | Hyperplane) -> Arrangement:
-        """Return the arrangement without hyperplanes, or numbers of them; see `counts.deletion`."""
+        """Return the arrangement without hyperplanes, or numbers of them; see `counts.deletion`.
+
+        Numbers begin with 0, the line that pictures label 1.
+        """
         return counts.deletion(self, planes)
 
     def restriction(self, *planes: int | Hyperplane) -> Arrangement:
-        """Return the arrangement that the others cut on a flat; see `counts.restriction`."""
+        """Return the arrangement that the others cut on a flat; see `counts.restriction`.
+
+        The flat is where these hyperplanes meet; their numbers begin with 0, as in `deletion`.
+        """
         return counts.restriction(self, planes)
 
     def localization(self, *planes: int | Hyperplane) -> Arrangement:

@@ -66,9 +66,10 @@ def rational(value: Rational, name: str = "number") -> Fraction:
     if isinstance(value, numbers.Rational):
         return Fraction(int(value.numerator), int(value.denominator))
     if isinstance(value, numbers.Real):
+        example = float(value) if math.isfinite(value) else -0.25
         raise InputError(
             f"{name} is the float {shown(float(value))}, expected an exact number; write each "
-            'float as a string such as "7/3" or "-0.25"'
+            f'float as a string such as "7/3" or "{example}"'
             + budget.by_caller(
                 ", or convert on purpose with arrangement.from_floats(values), each array alone; "
                 "equilibrium.inputs.from_float_data(points, normals, friction).grasp takes floats",

@@ -112,7 +112,8 @@ DUAL_MODEL = Ranks(4, central=True)
 
 #: The options of every view of planes, for its docstring and its signature.
 _TEXT = """    names: names of single planes, by number from 1, ``"1=ell,2=m"`` or ``{1: "ell"}``;
-        or of all planes, in their order; if omitted, those of the file.
+        or of all planes, in their order; if omitted, those of the file. Methods such as
+        `Arrangement.deletion` number them from 0.
     colours: colours of single planes, by number or name, with or without a dash after a colon,
         ``"ell=gold,2=#0af:dashed,3=:dotted"``; solid, dashed or dotted.
 """
