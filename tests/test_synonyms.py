@@ -565,6 +565,7 @@ arrangement draw pencil -o a.svg --color sides | --colour sides
 arrangement lab a.csv b.csv -o a.html | for f in a.csv b.csv; do arrangement lab $f -o $f.html; done
 arrangement lattice pencil | arrangement draw pencil -o FILE.svg --view lattice
 arrangement draw pencil --format tikz | -o FILE.tex
+arrangement draw pencil --format= | arrangement convert pencil --to FORMAT
 arrangement quiz | arrangement lab -o PAGE.html
 arrangement count --lines 5 | arrangement make generic --m 5 --d 2 --affine -o FILE.json
 arrangement interactive | arrangement lab -o PAGE.html
@@ -623,6 +624,7 @@ arrangement random --lines 5 | arrangement make random-integer --m 3
 equilibrium examples | equilibrium list
 proofs-check verify --verbose | proofs-check run
 proofs-check try 'regions == m**2' --simple | --of simple
+proofs-check try 'regions == m**2' -x | --strict
 proofs-check try 'regions == m**2' --lines | --of lines
 proofs-check list --refuted | proofs-check run
 equilibrium resisted ladder --wrench 0 0 -1 0 0 0 --on-body 1 | --on BODY F_X F_Y TAU

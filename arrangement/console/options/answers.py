@@ -326,17 +326,16 @@ def unknown_command(program: Parser, word: str) -> tuple[str, list[Entry]]:
     return start, sorted(entries, key=lambda entry: -entry.score)
 
 
-def _by_help(command: Parser, action: argparse.Action, words: list[str], are_values: bool) -> str:
+def _by_help(command: Parser, action: argparse.Action, name: str, values: Sequence[str]) -> str:
     """Return an option with a value that its help names: one of such as ..., or .tex (TikZ)."""
     text = action.help or ""
-    if not are_values:
-        named = re.search(rf"such as [^;(]*\b{re.escape(words[0])}\b", text)
-        return usage(command, action, words) * bool(named)
-    for word in map(re.escape, words):
-        if ending := re.search(rf"(?i)(\.\w+) \({word}\)|(\.{word})\b", text):
-            use = usage(command, action)
-            return re.sub(r"(?<=FILE)\.\w+$", ending[1] or ending[2], use)
-    return ""
+    word = re.escape(values[0] if values else name[2:])
+    if not values and word and re.search(rf"such as [^;(]*\b{word}\b", text):
+        return usage(command, action, [name[2:]])
+    ending = re.search(rf"(?i)(\.\w+) \({word}\)|(\.{word})\b", text) if values and word else None
+    if ending is None:
+        return ""
+    return re.sub(r"(?<=FILE)\.\w+$", ending[1] or ending[2], usage(command, action))
 
 
 def unknown_option(command: Parser, word: str) -> tuple[str, list[Entry]]:
@@ -360,7 +359,7 @@ def unknown_option(command: Parser, word: str) -> tuple[str, list[Entry]]:
                 ending or value, "" if ending else action.option_strings[-1], action.help
             )
         text = usage(command, action, values if score else ())
-        if use := _by_help(command, action, values or [name[2:]], bool(values)):
+        if use := _by_help(command, action, name, values):
             text, score = use, score + 3 * (not values)
         fits = bool(values) and text.endswith(join(values))
         entries.append(Entry(text, action.option_strings[-1], _help(action), score + 0.5 * fits))
