@@ -89,10 +89,10 @@ def _advice(owner: object, name: str, synonyms: Mapping[str, str]) -> str:
     if use := _meant(word, known):
         return f"; use {_with_import(own, use)}"
     parts = {type(x): f"{_variable(own)}.{k}." for k, x in getattr(owner, "__dict__", {}).items()}
-    levels = _elsewhere(own, parts) if name[0].islower() else ()
+    levels = _elsewhere(own, parts) if name[:1].islower() else ()
     near = get_close_matches(name, uses, 2, _ALIKE) or get_close_matches(word, known, 1, _SAME)
     use = next(filter(None, (_meant(word, level) for level in levels)), "") or " or ".join(
-        known[x.lower()] for x in near if x[0] == name[0]
+        known[x.lower()] for x in near if x[0] == name[:1]
     )
     return "; ".join(["", *[f"use {_with_import(own, use)}"] * bool(use), *_listed(own, uses)])
 
@@ -342,6 +342,8 @@ def _refused_call(
 
     called: Any = function
     if function.__name__ == "__init__":
+        if not values:  # called on the class: Python's own message fits
+            return None
         called = type(values[0])
         synonyms = {word: use for word, use in called._synonyms.items() if use.isidentifier()}
     name, known = called.__name__, signature(function)
@@ -434,15 +436,6 @@ def _answering(name: str, value: Any) -> Any:
         return value
     call: Any = hints_on_arguments({})(function)
     return call if function is value else classmethod(call)
-
-
-def hints_on_module(module: ModuleType) -> None:
-    """Let the functions of a package answer calls that do not fit, as they are called by users."""
-    for name, value in vars(module).copy().items():
-        own = getattr(value, "__module__", "").partition(".")[0] in _PACKAGES
-        if own and (call := _answering(name, value)) is not value:
-            call.__module__ = module.__name__  # `pickle` finds it there
-            setattr(module, name, call)
 
 
 class Hints(type):

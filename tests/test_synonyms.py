@@ -15,7 +15,7 @@ from importlib import import_module
 from importlib.resources import files
 from inspect import signature
 from pathlib import Path
-from types import FunctionType, ModuleType, SimpleNamespace
+from types import ModuleType, SimpleNamespace
 from typing import ClassVar
 
 import numpy as np
@@ -248,17 +248,21 @@ def test_call_is_answered_with_what_was_typed():
         Contact([Painted, 0], normal=[1, 0], mu=0.4)  # no numbers to write
 
 
-@pytest.mark.parametrize(
-    "module", [families, arrangement.counts, arrangement.census, equilibrium.inputs]
-)
-def test_functions_of_packages_answer_calls_that_do_not_fit(module):
-    names = [x for x in dir(module) if isinstance(getattr(module, x), FunctionType) and x[0] != "_"]
-    assert names
-    for name in names:
-        function = getattr(module, name)
-        with pytest.raises(TypeError, match=rf"^{name} (has no|needs) .+[.] Write {name}\("):
-            function(xyzzy=1)
-        assert pickle.loads(pickle.dumps(function)) is function
+def test_file_name_for_a_view_is_answered_with_all_faults():
+    lines = Arrangement([[1, 0], [0, 1]], [0, 1])
+    with pytest.raises(InputError, match=r"draw\(labels=True\)[.]write\('x[.]svg'\)$"):
+        lines.draw("x.svg", labels=True)
+    with pytest.raises(InputError, match=r"write\('x[.]svg'\); but .* no option fill; use colour"):
+        lines.draw("x.svg", fill="bounded")
+    with pytest.raises(InputError, match=r"pictures[.]write_drawing\([.]{3}, 'x[.]html'\)$"):
+        lines.draw("x.html")
+
+
+def test_unusual_calls_fail_as_in_plain_python():
+    with pytest.raises(TypeError, match="missing 4 required positional arguments: 'self'"):
+        Contact.__init__()
+    with pytest.raises(AttributeError, match="has no attribute ''"):
+        getattr(Contact, "")
 
 
 @pytest.mark.parametrize("name", ["generic", "random_integer", "random_degenerate"])

@@ -15,7 +15,7 @@ from opcode import opname
 from types import FrameType, ModuleType
 from typing import Any
 
-from arrangement.hints import hints_on_module, missing_attribute
+from arrangement.hints import missing_attribute
 
 #: For each kind of entry its names, each with the place of a function.
 _ADDED: Mapping[str, Mapping[str, str]] = {
@@ -99,7 +99,6 @@ def lazy_names(
         if name in known:
             value = get_known(name)
             if isinstance(value, ModuleType) and "__getattr__" not in vars(value):
-                hints_on_module(value)
                 vars(value)["__getattr__"] = partial(_refuse, value)
             return value
         caller = sys._getframe(1)

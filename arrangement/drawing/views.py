@@ -517,11 +517,14 @@ class Drawings:
             InputError: an unknown view or option, or what the view refuses.
             MissingExtraError: matplotlib is absent.
         """
-        if view is not None:
-            self._check_name("view", view, options)
+        is_file = isinstance(view, str) and bool(Path(view).suffix)
+        if view is not None and not is_file:
+            self._check_name("view", view)
         drawings = self if view in self.views else self.of(subject)
-        name = next(iter(drawings.views)) if view is None else view
+        name = next(iter(drawings.views)) if view is None or is_file else view
         own = {option: value for option, value in options.items() if option != "ax"}
+        if is_file:
+            raise drawings._file_error(str(view), name, options)
         drawings._check_options("view", name, own)
         if "," not in name:
             made: Drawing = self.function("view", name)(subject, **options)
@@ -571,13 +574,22 @@ class Drawings:
             if needed.required and needed.name not in options:
                 raise InputError(f"the {kind} {name} needs {needed.name}; give at least one")
 
-    def _check_name(self, kind: str, name: object, options: Mapping[str, Any] = {}) -> None:
+    def _file_error(self, file: str, view: str, options: Mapping[str, Any]) -> InputError:
+        """Return the error for a file name in place of a view, and for options that it lacks."""
+        texts = [f"{option}={value!r}" for option, value in options.items()]
+        use = f"write draw({', '.join(texts)}).write({file!r})"
+        if Path(file).suffix.lower() not in (*PICTURES, *TIKZ):
+            use = f"write {self.package}.write_drawing({', '.join(['...', repr(file), *texts])})"
+        try:
+            self._check_options("view", view, [option for option in options if option != "ax"])
+        except InputError as error:
+            use += f"; but {error}"
+        return InputError(f"the view is {shown(file)}; {use}")
+
+    def _check_name(self, kind: str, name: object) -> None:
         known = self.entries(kind)
         if not isinstance(name, str):
             raise refusal(f"the {kind} is {shown(name)}", name, known)
-        if Path(name).suffix:
-            given = ", ".join(f"{option}={value!r}" for option, value in options.items())
-            raise InputError(f"the {kind} is {shown(name)}; write draw({given}).write({name!r})")
         for part in name.split(",") if kind == "view" else [name]:
             if part not in known:
                 raise refusal(f"the {kind} is {shown(part)}", part, known)

@@ -404,7 +404,10 @@ def draw_lines(
     kind = "signs" if everything and labels is None else labels
     names = RegionLabels(arrangement, kind if len(arrangement) else "none", items="lines")
     given = entries(window, "window", "two corners, such as [(0, 0), (4, 3)]")
-    corners = [rational_vector(corner, "window") for corner in given]
+    corners = [
+        rational_vector(corner, f"the corner window[{i}], such as (4, 3),")
+        for i, corner in enumerate(given)
+    ]
     if corners or inside is not None:
         if coordinates not in (None, "given") or projective:
             raise InputError(

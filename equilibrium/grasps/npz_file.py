@@ -53,6 +53,8 @@ def read_npz(
             budget.check_size(sum(x.file_size for x in archive.infolist()), BYTES, str(path))
         with np.load(content, allow_pickle=False) as archive:
             arrays = {name: archive[name] for name in archive.files}
+        if not all(isinstance(array, np.ndarray) for array in arrays.values()):
+            raise ValueError  # NumPy returns the bytes of what has no header
     except (OverflowError, MemoryError):
         raise GraspError(f"{path} is damaged: an array claims more than is in the file") from None
     except InputError:
@@ -66,7 +68,9 @@ def read_npz(
     missing = ", ".join(name for name in required if name not in arrays)
     unknown = ", ".join(shown(name) for name in arrays if name not in known)
     if missing or unknown:
-        faults = [f"no array {missing}"] * bool(missing) + [f"the array {unknown}"] * bool(unknown)
+        faults = [f"no array {missing}"] * bool(missing) + [f"unknown arrays {unknown}"] * bool(
+            unknown
+        )
         remedy = f"; such as numpy.savez({str(path)!r}, **numpy.load({str(path)!r}), friction=0.5)"
         raise GraspError(
             f"{path} has {' and '.join(faults)}; expected {', '.join(required)}"

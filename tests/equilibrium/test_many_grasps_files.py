@@ -209,8 +209,9 @@ def test_grasps_in_space_read(files, run):
         ("no.npz --weight 1", "No such file"),
         ("text.npz --weight 1", "text.npz is not an NPZ file of arrays"),
         ("objects.npz --weight 1", "objects.npz is not an NPZ file of arrays"),
+        ("bare.npz --weight 1", "bare.npz is not an NPZ file of arrays"),
         ("other.npz --weight 1", "other.npz has no array points"),
-        ("more.npz --weight 1", "more.npz has the array 'extra'"),
+        ("more.npz --weight 1", "more.npz has unknown arrays 'extra'"),
         ("letters.csv --weight 1", "line 2: x is 'left'"),
         ("grasps.csv --wrenches half.csv", "half.csv has no loads of the grasp 'b, 2'"),
         ("grasps.csv --wrench 0 0 1 0 0 0", "wrench has 6 entries"),
@@ -223,6 +224,9 @@ def test_bad_files_refused(words, message, files, refused):
     (files / "text.npz").write_text("points")
     (files / "bodies.csv").write_text("grasp,body_a,body_b,x,y,nx,ny,mu\n")
     np.savez("objects.npz", points=np.array([{}]), normals=1, friction=1)
+    with zipfile.ZipFile("bare.npz", "w") as archive:
+        for name in ("points", "normals", "friction"):
+            archive.writestr(name, "1")
     np.savez("other.npz", normals=1, friction=1)
     np.savez("more.npz", **ARRAYS, extra=1)
     (files / "letters.csv").write_text("grasp,x,y,nx,ny,mu\na,left,0,1,0,0.5\n")
