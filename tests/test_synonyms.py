@@ -26,6 +26,7 @@ import equilibrium
 import proofs_check
 from arrangement import Arrangement, Segments, families, synonyms
 from arrangement.cli import main as arrangement_main
+from arrangement.errors import InputError
 from arrangement.hints import HintsMixin
 from arrangement.library.families import FAMILIES
 from equilibrium import Contact, Grasp, ResistedSet, read_grasp, solve

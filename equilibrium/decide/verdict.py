@@ -111,6 +111,7 @@ class Verdict(AboutCaseMixin):
             explain explanation reasons report why -> lines()
             is_stable resisted -> stable
             margin -> ResistedSet(grasp).margin(wrench)
+            status result -> verdict
         """),
     }
     _main: ClassVar[Mapping[str, str]] = {
