@@ -86,9 +86,6 @@ from arrangement.planes.planes import Planes
 
 Projection: TypeAlias = Callable[[Floats, Floats, float], Floats]
 
-#: Unit normals whose part across the view is shorter are that of the limb.
-_ACROSS = 1e-9
-
 
 def orthographic(normal: Floats, start: Floats, angle: float) -> Floats:
     """Return the arc as seen from far away; within 10^-5 of the true ellipse."""
@@ -158,10 +155,10 @@ class Drawn:
         return self._arcs[arc]
 
     def ends(self, circle: int) -> tuple[float, ...]:
-        """Return the two angles at which a circle meets the limb; of the limb, one to name it."""
-        x, y, _ = self.normals[circle]
-        if math.hypot(x, y) < _ACROSS:
+        """Return the angles where a circle meets the limb, or one to name the limb, the last one."""
+        if circle == self.sphere.plane_circle[-1]:
             return (0.25,)
+        x, y, _ = self.normals[circle]
         angle = math.atan2(x, -y)
         return angle % (2 * math.pi), (angle + math.pi) % (2 * math.pi)
 
@@ -449,7 +446,7 @@ class Disc:
             ends = list(self.drawn.ends(circle))
             if not ends:
                 continue
-            if circle != globe.limb and not both_ends:
+            if len(ends) > 1 and not both_ends:
                 gap = [min((abs(turn(a - b)) for b, *_ in wanted), default=4.0) for a in ends]
                 ends = ends[:1] if gap[0] >= gap[1] - 1e-9 else ends[1:]
             # Angles of one point of the rim differ by rounding, also by a whole turn.

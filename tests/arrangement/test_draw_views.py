@@ -167,6 +167,33 @@ def test_both_halves_are_in_their_frame_and_the_outer_region_is_beneath(name):
     assert np.array_equal(regions[0].points, frame)
 
 
+@pytest.mark.parametrize("far", [10**9, 10**12, 10**15])
+@pytest.mark.parametrize(
+    ("draw", "options"),
+    [
+        (draw_sphere, {}),
+        (draw_stereographic, {}),
+        (draw_stereographic, {"whole": True}),
+        (draw_stereographic, {"whole": False}),
+    ],
+)
+def test_a_circle_nearly_on_the_limb_is_named_where_it_meets_it(draw, options, far, tmp_path):
+    """Both circles meet the limb at the right and at the left; one is 1 / far from it."""
+    planes = Arrangement([[0, 0, 1], [1, 0, 0]])
+    options = {"camera": (1, 0, far), "coordinates": "given", "labels": "none", **options}
+    made = draw.scene(planes, **options)
+    save_figure(tmp_path / "o.svg", lambda: figure(made))
+    assert (tmp_path / "o.svg").stat().st_size
+    places = {item.text: item.place for item in made.items if isinstance(item, Label)}
+    assert places.keys() == {"1", "2"}
+    drawn = [item.name for item in made.items]
+    whole = options.get("whole", False)
+    for k in "12":
+        kind = "arc" if whole else "front"
+        assert any(name.startswith(f"{kind}-{k}-") for name in drawn)
+        assert whole or places[k][1] == pytest.approx(made.height - made.width / 2, abs=2)
+
+
 def test_sign_vectors_stand_in_their_regions():
     """The place of each label, taken back to the sphere, has the signs that the label says."""
     planes, direction = read_arrangement("braid-a3"), (4, 3, 4)
