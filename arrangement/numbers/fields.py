@@ -54,8 +54,9 @@ class NumberField:
     """Q(a), where a is the only root of a polynomial in an interval.
 
     A quadratic field is stored as that of the square root of an integer without square factors,
-    whatever it was made from; other fields keep what they were made from, times an integer. Fields
-    are equal when these generators are.
+    whatever it was made from; of an integer beyond 100 bits only powers of 4 are taken out. Other
+    fields keep what they were made from, times an integer. Fields are equal when these generators
+    are.
 
     Args:
         polynomial: rational coefficients, from the constant term up; irreducible over Q.
@@ -66,8 +67,9 @@ class NumberField:
         root: the root that was given, as a number of the field.
 
     Raises:
-        InputError: a polynomial that is reducible, or of degree 1, or above `MAX_DEGREE`; an
-            interval without a root, which is not a real embedding, or with more than one.
+        InputError: a polynomial that is reducible, or of degree 1, or above `MAX_DEGREE`, or with
+            coefficients above `MAX_DIGITS`, as given or as stored; an interval without a root,
+            which is not a real embedding, or with more than one.
 
     >>> golden = NumberField([-1, -1, 1], [1, 2])
     >>> golden, golden.root, golden.root * golden.root - golden.root
@@ -96,6 +98,7 @@ class NumberField:
             self._low, self._high = Fraction(0), Fraction(1 - integers[0])
         else:
             self._low, self._high = low * scale, high * scale
+        check_digits(integers, "the minimal polynomial of a multiple that is an algebraic integer")
         self.minimal_polynomial = tuple(integers)
         self._rising = value_at(integers, self._high) > 0
         self._inverses: dict[IntegerVector, Real] = {}
@@ -336,10 +339,7 @@ def checked_ends(terms: RationalVector, ends: RationalVector) -> tuple[Fraction,
             f"the minimal polynomial is {text}; its coefficients stand from the constant term up, "
             f"the last one is not 0, and its degree is 2 to {MAX_DEGREE}"
         )
-    if any(max(abs(x.numerator), x.denominator) >= 10**MAX_DIGITS for x in terms):
-        raise InputError(
-            f"the minimal polynomial is {text}; its coefficients may have up to {MAX_DIGITS} digits"
-        )
+    check_digits(terms, "the minimal polynomial")
     if len(ends) != 2 or ends[0] >= ends[1]:
         raise InputError(
             f"the interval is {shown([to_text(x) for x in ends])}; give its two ends, the lower "
@@ -362,6 +362,15 @@ def checked_ends(terms: RationalVector, ends: RationalVector) -> tuple[Fraction,
     return low, high
 
 
+def check_digits(terms: Sequence[Fraction | int], what: str) -> None:
+    """Refuse a polynomial with longer coefficients than `MAX_DIGITS`."""
+    if any(max(abs(x.numerator), x.denominator) >= 10**MAX_DIGITS for x in terms):
+        raise InputError(
+            f"{what} is {shown([to_text(x) for x in terms])}; its coefficients may have up to "
+            f"{MAX_DIGITS} digits"
+        )
+
+
 def integral_multiple(monic: Sequence[Fraction]) -> int:
     """Return a positive integer that makes roots algebraic integers, the least if it is small."""
     n, enough = len(monic) - 1, math.lcm(*(x.denominator for x in monic))
@@ -372,12 +381,19 @@ def integral_multiple(monic: Sequence[Fraction]) -> int:
 
 
 def square_part(number: int) -> int:
-    """Return the largest s with s^2 dividing a positive number; 1 for numbers beyond factoring."""
-    if number.bit_length() > 100:
-        return 1
+    """Return the largest s with s^2 dividing a positive number, or its power of 2 if long.
+
+    A number is long if it has more than 100 bits without its factors 4. So 4 times a number has
+    twice its s, and what is stored of a field is stored the same when it is read again.
+    """
+    twos = ((number & -number).bit_length() - 1) // 2
+    rest = number >> (2 * twos)
+    if rest.bit_length() > 100:
+        return 1 << twos
     from flint import fmpz
 
-    return math.prod(int(p) ** (power // 2) for p, power in fmpz(number).factor())
+    part: int = math.prod(int(p) ** (power // 2) for p, power in fmpz(rest).factor())
+    return part << twos
 
 
 def value_at(polynomial: Sequence[Fraction | int], x: Fraction) -> Fraction:

@@ -1,5 +1,6 @@
 """Numbers of one real field against SymPy's, and planes that have them as entries."""
 
+import copy
 import itertools
 import json
 import pickle
@@ -204,6 +205,8 @@ def test_fields_of_other_roots_differ():
         ([-2, 0, 1], [2, 3], "no real root there"),
         ([-2, 0, 1], [-2, 2], "2 roots"),
         ([-(10**100), 0, 0, 1], [0, 10**40], "up to 100 digits"),
+        ([-2, 10**60 + 7, 0, 10**60], [0, 1], "an algebraic integer is .* up to 100 digits"),
+        ([-1, 10**99 + 1, 10**60 + 9], [0, 1], "an algebraic integer is .* up to 100 digits"),
         ([-4, 0, 1], [1, 3], "reducible"),
         ([2, -3, 1, 0, 0], [1, 3], "the last one is not 0"),
         ([-2, 1], [1, 3], "degree"),
@@ -263,6 +266,44 @@ def test_equal_planes_are_equal_however_they_are_written():
 def test_files_and_pickles_give_the_planes_back(planes):
     assert read_arrangement(json.loads(json.dumps(planes.to_dict()))) == planes
     assert pickle.loads(pickle.dumps(planes)) == planes
+
+
+#: Factors of discriminants: a prime, and numbers about 100 bits, the bound of factoring.
+_LONG = (10**31 + 33, *(2**bits + 1 for bits in (98, 99, 100, 101)), 2**99 - 1, 2**100 - 3)
+
+
+@pytest.mark.parametrize(
+    ("polynomial", "interval"),
+    [
+        *(([-(k * n), 0, 1], [0, k * n]) for n in _LONG for k in (1, 2, 4, 9, 4**30)),
+        *(([-n, m, 1], [0, n]) for n in _LONG for m in (1, 2)),
+        *(([-n, 0, "1/3"], [-n, 0]) for n in _LONG),
+        ([1 - 10**100, 0, 1], [0, 10**51]),
+        ([-(10**31 + 33), 0, 0, 1], [0, 10**31]),
+        ([-2, 10**30 + 7, 0, 10**30], [0, 1]),
+        ([2 - 10**99, 0, 0, 1], [0, 10**34]),
+    ],
+)
+def test_fields_of_long_polynomials_are_copied_and_read_back(polynomial, interval):
+    field = NumberField(polynomial, interval)
+    planes = Arrangement([[1, field.root], [0, 1]])
+    for copied in (pickle.loads(pickle.dumps(field)), copy.deepcopy(field)):
+        assert copied == field
+        assert copied.minimal_polynomial == field.minimal_polynomial
+    for same in (
+        pickle.loads(pickle.dumps(planes)),
+        copy.deepcopy(planes),
+        read_arrangement(json.loads(json.dumps(planes.to_dict()))),
+    ):
+        assert same == planes
+        assert same.to_dict() == planes.to_dict()
+
+
+@pytest.mark.parametrize("n", _LONG)
+def test_long_quadratic_fields_have_no_factor_4(n):
+    one, four = (NumberField([-k * n, 0, 1], [0, k * n]) for k in (1, 4))
+    assert one == four
+    assert 2 * one.root == four.root
 
 
 def random_planes(seed: int, *, affine: bool) -> Arrangement:
