@@ -2,6 +2,7 @@
 
 import io
 import json
+import re
 
 import numpy as np
 import pytest
@@ -66,6 +67,30 @@ def test_documents_and_rows_of_numbers_are_plain_texts(name):
 @pytest.mark.parametrize("rows", ["1 0 0; 0 1 0", "1,0,0;0,1,0", "[1, 0, 0], [0, 1, 0]"])
 def test_rows_may_stand_in_place_of_a_file(rows):
     assert read_arrangement(rows) == read_arrangement("[[1, 0, 0], [0, 1, 0]]")
+
+
+@pytest.mark.parametrize(
+    "rows", ["[[1,0],[0,1],]", "[[1,0],[0,1]],", "[[1,0],;[0,1]]", "1 0; 0 1;", "1,0,;0,1,"]
+)
+def test_one_separator_may_follow_the_last_entry(rows):
+    assert read_arrangement(rows) == read_arrangement("[[1, 0], [0, 1]]")
+
+
+@pytest.mark.parametrize(
+    ("rows", "message"),
+    [
+        ("[[1,0],,[0,1]]", "a normal is empty, at '],,'"),
+        ("((1,0), ,(0,1))", "a normal is empty, at '), ,'"),
+        ("[[1,0],[0,1],,]", "a normal is empty, at '],,'"),
+        ("[[1,0],[],[0,1]]", "a normal is empty, at '[]'"),
+        ("[[,1],[,2]]", "entry 1 of normal 1 is ''"),
+        ("[[1,,0],[0,1]]", "entry 2 of normal 1 is ''"),
+        ("1 0;,0 1", "entry 1 of normal 2 is ''"),
+    ],
+)
+def test_empty_entries_of_rows_are_refused(rows, message):
+    with pytest.raises(InputError, match=re.escape(message)):
+        read_arrangement(rows)
 
 
 @pytest.mark.parametrize(

@@ -27,6 +27,8 @@ _MATRIX = re.compile(r"(?=[^0-9]*[0-9])[-+0-9./eE,;|()\[\]\s]+")
 _VALUE = re.compile(r"\[[^[(]*|[-+0-9./eE]+")
 #: Between two rows of one line.
 _BETWEEN = re.compile(r"[\])][\s,;]*[\[(]")
+#: A row without numbers.
+_EMPTY = re.compile(r"[\])]\s*,\s*,|[\[(]\s*[\])]")
 
 
 def _equations(text: str) -> list[str]:
@@ -65,7 +67,7 @@ def recognises(text: str) -> bool:
 
 def numbers(line: str) -> list[str]:
     """Return the numbers of a line, as they are written."""
-    plain = line.strip().strip("()[],;")
+    plain = line.strip().lstrip("()[]").rstrip("()[],;")
     marks = set(plain) & set("()[],;")
     if not marks:
         return plain.split() or [""]
@@ -81,7 +83,13 @@ def numbers(line: str) -> list[str]:
 
 def read(text: str) -> Arrangement:
     """Read a normal from each line."""
-    plain = _BETWEEN.sub("\n", _REMARK.sub("", text))
+    plain = _REMARK.sub("", text)
+    if empty := _EMPTY.search(plain):
+        raise InputError(
+            f"a normal is empty, at {shown(empty[0])}; all normals need one entry for each "
+            "coordinate"
+        )
+    plain = _BETWEEN.sub("\n", plain)
     if head := _HEAD.match(plain):
         raise InputError(
             f"the first line, {shown(head[0].strip())}, is not one that is known: a,b,c (lines "
