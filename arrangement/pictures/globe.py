@@ -155,7 +155,7 @@ class Drawn:
         return self._arcs[arc]
 
     def ends(self, circle: int) -> tuple[float, ...]:
-        """Return the angles where a circle meets the limb, or one to name the limb, the last one."""
+        """Return the two angles where a circle meets the limb, or one to name the limb itself."""
         if circle == self.sphere.plane_circle[-1]:
             return (0.25,)
         x, y, _ = self.normals[circle]
