@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from difflib import get_close_matches
-from enum import Enum
+from enum import StrEnum
 from itertools import chain
 from random import Random
 from typing import TYPE_CHECKING, Any
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from arrangement.numbers.float_filter import Booleans
 
 
-class ClaimVerdict(Enum):
+class ClaimVerdict(StrEnum):
     """What the evidence says about a statement."""
 
     HOLDS = "holds"
@@ -34,7 +34,7 @@ class ClaimVerdict(Enum):
     REFUTED = "refuted"
 
 
-class Kind(Enum):
+class Kind(StrEnum):
     """How far evidence reaches.
 
     PROVED: a proof, each finite part of which the cases check. EXHAUSTIVE: every instance of the
@@ -46,7 +46,7 @@ class Kind(Enum):
     SAMPLED = "samples"
 
 
-class Strength(Enum):
+class Strength(StrEnum):
     """What a verdict is worth: the one word of an answer, in text, JSON, report and picture.
 
     PROVED: for every instance, by a proof. ALL_CASES: for every instance of a finite domain, each

@@ -58,6 +58,7 @@ def test_false_claim_refuted_by_smallest_counterexample():
     false = claim(judge=lambda n, square: square < 20, search=lambda: numbers(20))
     result = evaluate(false)
     assert result.verdict is ClaimVerdict.REFUTED
+    assert result.verdict == "refuted"
     assert not result.as_expected
     assert result.evidence.counterexample is not None
     assert result.evidence.counterexample.document == {"n": 5}

@@ -374,7 +374,7 @@ def test_an_unexpected_verdict_is_seen_in_every_form(tmp_path, record, page, run
     assert "some verdict differs" in run("report", path, code=1)
 
 
-def test_hostile_numbers_in_a_record_are_refused_at_once(tmp_path, refused):
+def test_invalid_numbers_in_a_record_are_refused_at_once(tmp_path, refused):
     content = hostile("x")
     content["results"][0]["counterexample"]["instance"] = {"planes": [["1e999999999", "0", "1"]]}
     path = tmp_path / "r.json"

@@ -374,10 +374,10 @@ def unknown_option(command: Parser, word: str) -> tuple[str, list[Entry]]:
         entries.append(Entry(text, "", "answers go to standard output", 10.0))
     if near := nearness(name, "", about):
         entries.append(Entry(line(command, words), "", about, near))
-    if name in _LINES and [x.isdecimal() for x in values] == [True]:
-        for lines in filter(None, [_families(command).get("generic")]):
-            text = f"{values[0]} in general position; then {line(command, [_MADE, *words])}"
-            entries.append(Entry(_made(lines, values), "", text, 10.0))
+    lines = _families(command).get("generic")
+    if lines and name in _LINES and [x.isdecimal() for x in values] == [True]:
+        text = f"{values[0]} in general position; then {line(command, [_MADE, *words])}"
+        entries.append(Entry(_made(lines, values), "", text, 10.0))
     entries.sort(key=lambda entry: -entry.score)
     if entries[0].score < 0.6:
         least = 2.7 if entries[0].score else 0.6
