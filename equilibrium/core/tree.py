@@ -106,7 +106,7 @@ class SpatialSearch:
         wrench: RationalVector,
         accept: Callable[[Solution], bool],
         effort: Effort | None = None,
-        nodes: int = SETTINGS.max_nodes,
+        nodes: int | None = None,
         max_displacement: Fraction | None = None,
         cones: Cones | None = None,
         memory: Memory | None = None,
@@ -114,7 +114,8 @@ class SpatialSearch:
     ) -> None:
         self.in_plane = in_plane
         self.contacts, self.wrench, self.accept = contacts, wrench, accept
-        self.effort, self.max_nodes = effort or Effort(), nodes
+        self.effort = effort or Effort()
+        self.max_nodes = SETTINGS.max_nodes if nodes is None else nodes
         self.max_displacement, self.cones = max_displacement, cones or RoundCones()
         self.memory = memory or Memory()
         self.root: Node = ("undecided",) * len(contacts.rows)

@@ -172,22 +172,14 @@ class SpatialEngine(Engine):
     ) -> SpatialSearch:
         """Return the search for one wrench."""
         from equilibrium.core.cones import Pyramids
-        from equilibrium.core.tree import SETTINGS, SpatialSearch
-
-        case = LoadCase(self.grasp, wrench, self.max_displacement, self.pyramid)
-
-        def accept(solution: Solution) -> bool:
-            return bool(proof_report(case, solution))
 
         load = self._contacts.rows.total_load(wrench)
         question = self.grasp, load, effort, self.max_displacement
-        return SpatialSearch(
+        return tree_search(
+            LoadCase(self.grasp, wrench, self.max_displacement, self.pyramid),
             self._contacts,
-            load,
-            accept,
             effort,
-            nodes=SETTINGS.max_nodes if nodes is None else nodes,
-            max_displacement=self.max_displacement,
+            nodes,
             cones=Pyramids(self._edges) if self._edges else None,
             memory=self._memory if memory is None else memory,
             in_plane=None if self._edges else partial(decide_in_plane, *question),
@@ -211,6 +203,19 @@ def new_memory() -> Memory:
     from equilibrium.core.memory import Memory
 
     return Memory()
+
+
+def tree_search(
+    case: LoadCase, contacts: FloatContacts, effort: Effort, nodes: int | None, **options: Any
+) -> SpatialSearch:
+    """Return the search in a tree of contact states, whose equilibria the checker accepts."""
+    from equilibrium.core.tree import SpatialSearch
+
+    def accept(solution: Solution) -> bool:
+        return bool(proof_report(case, solution))
+
+    load, most = contacts.rows.total_load(case.load), case.max_displacement
+    return SpatialSearch(contacts, load, accept, effort, nodes, most, **options)
 
 
 def answered(outcome: Outcome) -> Solution | Refutation | Open:

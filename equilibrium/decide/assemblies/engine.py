@@ -12,9 +12,9 @@ from typing import Any
 
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.exact import RationalVector, vector_text
-from equilibrium.certificate.checker import proof_report
 from equilibrium.core.contact_law import states_of
-from equilibrium.decide.engines import Engine, PlanarEngine
+from equilibrium.core.contacts import FloatContacts
+from equilibrium.decide.engines import Engine, PlanarEngine, tree_search
 from equilibrium.model.assembly import SIZE, Assembly, Wrenches
 from equilibrium.model.effort import Effort
 from equilibrium.model.errors import TimeLimitError
@@ -92,19 +92,11 @@ class AssemblyEngine(Engine):
     ) -> Solution | Refutation | Open:
         """Return what the search in R^(3b) ends with."""
         from equilibrium.core.cones import LineCones
-        from equilibrium.core.contacts import FloatContacts
-        from equilibrium.core.tree import SETTINGS, SpatialSearch
 
-        inside, bound = with_root_as_ground(self.assembly, part), self.max_displacement
-        case = LoadCase(inside, flat(inside, part.wrenches), bound)
-
-        def accept(solution: Solution) -> bool:
-            return bool(proof_report(case, solution))
-
-        most = SETTINGS.max_nodes if nodes is None else nodes
-        question = FloatContacts(inside.rows), inside.rows.total_load(case.load), accept, effort
-        search = SpatialSearch(*question, most, max_displacement=bound, cones=LineCones())
-        outcome = search.decide()
+        inside = with_root_as_ground(self.assembly, part)
+        case = LoadCase(inside, flat(inside, part.wrenches), self.max_displacement)
+        contacts = FloatContacts(inside.rows)
+        outcome = tree_search(case, contacts, effort, nodes, cones=LineCones()).decide()
         if isinstance(outcome, Solution | Open):
             return outcome
         return _refuted(part, _lifted(outcome, part, self.assembly))
