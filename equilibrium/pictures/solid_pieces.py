@@ -1,12 +1,13 @@
-"""Arrows, arcs, segments and faces of bodies, in floats, as flat pieces of solids."""
+"""Arrows, arcs, segments and bodies, in floats: as flat pieces of pictures, as parts of models."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -17,8 +18,13 @@ from arrangement.errors import extra
 from arrangement.numbers.exact import IntegerVector, primitive, reduced
 from arrangement.numbers.linear.rank import cycle_edges, plane_through
 
-#: Sides of the head of an arrow; its length and radius.
-_HEAD_SIDES, _HEAD, _HEAD_RADIUS = 6, 0.09, 0.03
+#: Numbers of points, counter-clockwise seen from outside.
+Cycle: TypeAlias = tuple[int, ...]
+#: Points (P, 3) and faces.
+Solid: TypeAlias = tuple[Floats, list[Cycle]]
+
+#: Sides of the head of an arrow; its length and radius; the radius of the shaft in a model.
+_HEAD_SIDES, _HEAD, _HEAD_RADIUS, _SHAFT = 6, 0.09, 0.03, 0.008
 _GRID = 1 << 20
 
 
@@ -32,37 +38,83 @@ class Arrow:
     headless: bool = False
 
 
+def circle(axes: Sequence[Any], count: int) -> Floats:
+    """Return points around the unit circle that two orthogonal vectors span, (count, 3)."""
+    return _turned(axes, np.linspace(0, 2 * math.pi, count, endpoint=False))
+
+
+def _turned(axes: Sequence[Any], angles: Floats) -> Floats:
+    first, second = np.array(axes, float)
+    turned: Floats = np.cos(angles)[:, None] * first + np.sin(angles)[:, None] * second
+    return turned
+
+
 def arc(
     name: str, centre: Floats, axis: Floats, radius: float, rise: float, turns: float
 ) -> Iterator[Arrow]:
     """Yield segments of a circle or helix around an axis, the last one as an arrow."""
     side = across(axis)
     count = max(8, round(24 * turns))
-    angles = np.linspace(0, 2 * math.pi * turns, count + 1)[:, None]
-    ring = np.cos(angles) * side + np.sin(angles) * np.cross(axis, side)
-    ends = centre + radius * ring + rise * (angles / (2 * math.pi) - turns / 2) * axis
+    angles = np.linspace(0, 2 * math.pi * turns, count + 1)
+    heights = np.outer(rise * (angles / (2 * math.pi) - turns / 2), axis)
+    ends = centre + radius * _turned((side, np.cross(axis, side)), angles) + heights
     for k, (p, q) in enumerate(pairwise(ends)):
         yield Arrow(name, p, q, headless=k < count - 1)
 
 
-def head_of(arrow: Arrow) -> tuple[Floats, Floats]:
-    """Return the tip of an arrow and the ring around its neck."""
+def _neck(arrow: Arrow) -> Floats:
+    """Return the ring around the neck of an arrow."""
     along = unit(arrow.end - arrow.start)
     side = across(along)
-    turns = np.linspace(0, 2 * math.pi, _HEAD_SIDES, endpoint=False)[:, None]
-    ring = np.cos(turns) * side + np.sin(turns) * np.cross(along, side)
-    return arrow.end, arrow.end - _HEAD * along + _HEAD_RADIUS * ring
+    ring = circle((side, np.cross(along, side)), _HEAD_SIDES)
+    return np.asarray(arrow.end - _HEAD * along + _HEAD_RADIUS * ring)
 
 
 def arrow_pieces(arrow: Arrow) -> list[Patch]:
     """Return the shaft and the faces of the head; of a segment, itself."""
     if arrow.headless:
         return segment(arrow.start, arrow.end, arrow.name)
-    tip, ring = head_of(arrow)
-    shaft = segment(arrow.start, ring.mean(axis=0), arrow.name)
-    for p, q in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        shaft += flat([tip, p, q], arrow.name, [])
-    return shaft + flat(list(ring[::-1]), arrow.name, [])
+    ring = _neck(arrow)
+    pieces = segment(arrow.start, ring.mean(axis=0), arrow.name)
+    for p, q in cycle_edges(list(ring)):
+        pieces += flat([arrow.end, p, q], arrow.name)
+    return pieces + flat(ring[::-1], arrow.name)
+
+
+def arrow_solids(arrow: Arrow) -> Iterator[Solid]:
+    """Yield the shaft of an arrow, unless the head is longer, and its head."""
+    ring = _neck(arrow)
+    neck = ring.mean(axis=0)
+    thin = (ring - neck) * (_SHAFT / float(np.linalg.norm(ring[0] - neck)))
+    end = arrow.end if arrow.headless else neck
+    if float((end - arrow.start) @ (arrow.end - arrow.start)) > 0:
+        yield prism(arrow.start + thin, end + thin)
+    if not arrow.headless:
+        yield prism(ring, np.broadcast_to(arrow.end, ring.shape))
+
+
+def prism(base: Floats, top: Floats) -> Solid:
+    """Return the solid between two rings, of which one may be the apex of a pyramid, repeated.
+
+    Seen from the top both go counter-clockwise.
+    """
+    k = len(base)
+    sides = [(j, (j + 1) % k, k + (j + 1) % k, k + j) for j in range(k)]
+    return np.vstack([base, top]), [(*range(k - 1, -1, -1),), (*range(k, 2 * k),), *sides]
+
+
+def ball(centre: Floats, radius: float) -> Solid:
+    """Return a sphere, so fine that pictures show its silhouette alone."""
+    heights, turns = (np.linspace(0, part * np.pi, n + 1) for part, n in ((1, 24), (2, 48)))
+    h, a = np.meshgrid(heights[1:-1], turns[:-1], indexing="ij")
+    rings = np.stack([np.sin(h) * np.cos(a), np.sin(h) * np.sin(a), -np.cos(h)], axis=-1)
+    low, high = h.size, h.size + 1
+    faces: list[Cycle] = []
+    columns = np.arange(h.size).reshape(h.shape).T.tolist()
+    for p, q in cycle_edges(columns):
+        faces += [(low, q[0], p[0]), (high, p[-1], q[-1])]
+        faces += zip(p, q, q[1:], p[1:], strict=False)
+    return centre + radius * np.vstack([rings.reshape(-1, 3), [[0, 0, -1], [0, 0, 1]]]), faces
 
 
 def _exact(point: Floats) -> IntegerVector:
@@ -77,26 +129,23 @@ def segment(start: Floats, end: Floats, name: str) -> list[Patch]:
 
 
 def flat(
-    corners: Sequence[Floats], name: str, edges: Sequence[tuple[Floats, Floats]]
+    corners: Sequence[Floats] | Floats, name: str, edges: Sequence[tuple[Floats, Floats]] = ()
 ) -> list[Patch]:
     """Return a polygon, in triangles where rounding has bent it; ``a . x + b`` is < 0 inside."""
-    points = [_exact(p) for p in corners]
-    planes = (plane_through(points[0], q, p) for p, q in pairwise(points[1:]))
-    rows = [reduced(row) if any(row) else None for row in planes]
+    first, *others = points = tuple(map(_exact, corners))
     lines = tuple((_exact(p), _exact(q)) for p, q in edges)
-    if len({row for row in rows if row}) == 1:
-        return [Patch(next(row for row in rows if row), tuple(points), lines, name=name)]
-    pieces = []
-    for k, row in enumerate(rows):
-        if row:
-            triangle = (points[0], points[k + 1], points[k + 2])
-            own = tuple(line for line in lines if set(line) <= set(triangle))
-            pieces.append(Patch(row, triangle, own, name=name))
-    return pieces
+    triangles = {}
+    for p, q in pairwise(others):
+        if any(row := plane_through(first, q, p)):
+            triangles[first, p, q] = reduced(row)
+    rows = set(triangles.values())
+    if len(rows) == 1:
+        return [Patch(rows.pop(), points, lines, name=name)]
+    return [
+        Patch(row, corners, tuple(x for x in lines if set(x) <= set(corners)), name=name)
+        for corners, row in triangles.items()
+    ]
 
-
-#: Numbers of points, counter-clockwise seen from outside.
-Cycle: TypeAlias = tuple[int, ...]
 
 #: Edges at which faces meet at a larger angle than this (its cosine) are drawn.
 _SHARP = math.cos(math.radians(20))
@@ -113,10 +162,9 @@ def drawn_edges(
         towards: the viewer; then those of the silhouette too, and each edge once, from a face that
             the viewer sees if there is one.
     """
-    normals = {}
+    normals: dict[tuple[int, int], Floats] = {}
     for face in faces:
-        normal = face_normal(points[list(face)])
-        normals.update(dict.fromkeys(cycle_edges(face), normal))
+        normals |= dict.fromkeys(cycle_edges(face), face_normal(points[list(face)]))
     edges = set()
     for (a, b), normal in normals.items():
         other = normals.get((b, a))
@@ -129,28 +177,24 @@ def drawn_edges(
     return edges
 
 
-def open_edges(faces: Sequence[Cycle]) -> Iterator[tuple[int, int]]:
-    """Yield the edges that have a face on one side only."""
-    every = {edge for face in faces for edge in cycle_edges(face)}
-    return (edge for edge in every if edge[::-1] not in every)
+def open_edges(faces: Sequence[Cycle]) -> set[tuple[int, int]]:
+    """Return the edges that have a face on one side only."""
+    edges = {edge for face in faces for edge in cycle_edges(face)}
+    return {edge for edge in edges if edge[::-1] not in edges}
 
 
-def convex_hull(points: Floats) -> tuple[Floats, list[Cycle]]:
+def convex_hull(points: Floats) -> Solid:
     """Return the convex hull of points, without faces if it has no volume."""
     with extra("figures"):
         from scipy.spatial import ConvexHull, QhullError
 
-    if len(points) < 4:
-        return points, []
-    try:
-        hull = ConvexHull(points)
-    except QhullError:
-        return points, []
-    middle = points[hull.vertices].mean(axis=0)
-    faces = []
-    for row in hull.simplices.tolist():
-        outward = float(face_normal(points[row]) @ (points[row].mean(axis=0) - middle)) > 0
-        faces.append(tuple(row if outward else row[::-1]))
+    faces: list[Cycle] = []
+    if len(points) > 3:
+        with suppress(QhullError):
+            hull = ConvexHull(points)
+            for row, plane in zip(hull.simplices.tolist(), hull.equations, strict=True):
+                outward = float(face_normal(points[row]) @ plane[:3]) > 0
+                faces.append(tuple(row if outward else row[::-1]))
     return points, merge_faces(points, faces)
 
 
@@ -170,8 +214,8 @@ def merge_faces(points: Floats, faces: list[Cycle]) -> list[Cycle]:
             if joined is not None:
                 del kept[j]
                 kept[k] = joined
-                owner |= dict.fromkeys(cycle_edges(joined), k)
                 waiting = list(cycle_edges(joined))
+                owner |= dict.fromkeys(waiting, k)
     return list(kept.values())
 
 

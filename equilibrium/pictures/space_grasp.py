@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -40,20 +41,25 @@ from equilibrium.model.displacement import NOT_SMALL, displacement_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.outline import Mesh, Sphere
-from equilibrium.pictures.solid_pieces import (
+
+from .body import frame_of
+from .solid_pieces import (
     Arrow,
+    Cycle,
+    Solid,
     arc,
     arrow_pieces,
+    arrow_solids,
+    ball,
+    circle,
     convex_hull,
     drawn_edges,
     flat,
-    head_of,
     merge_faces,
     open_edges,
+    prism,
     segment,
 )
-
-from .body import Frame, frame_of
 from .style import (
     CONE_EDGE,
     CONE_FILL,
@@ -77,8 +83,11 @@ _HELIX, _TURNS = 0.14, 2.0
 #: Meshes of more facets are drawn as their convex hull.
 _MOST_FACETS = 1500
 
-#: Colours by the first word of a piece's name.
+#: Of pieces by the first word of their names: colours and widths of lines, and what fills faces.
 INKS = {
+    "body": BLACK,
+    "cone": CONE_EDGE,
+    "normal": CONE_EDGE,
     "force": BLACK,
     "wrench": VERMILION,
     "slip": BLUE,
@@ -86,6 +95,10 @@ INKS = {
     "preload": GREY,
     "link": GREY,
 }
+_WIDTHS = {"cone": 0.5, "normal": 0.5, "link": 0.5, "preload": 0.7, "axis": 0.8}
+_FILLS = {**INKS, "body": "#dfe6ea60", "cone": CONE_FILL}
+#: Of pieces by their whole names.
+_DASHES: dict[str, Any] = {"axis": (0, (6, 2, 1, 2)), "link": (0, (5, 2.5))}
 
 
 @dataclass(frozen=True)
@@ -94,7 +107,7 @@ class Screw:
 
     Attributes:
         axis: unit vector; of a pure shift, its direction.
-        point: on the axis, nearest to the middle of the picture; None for a shift.
+        point: on the axis, nearest to the origin; None for a shift.
         pitch: shift along the axis for each radian; None for a shift.
     """
 
@@ -110,9 +123,9 @@ class Screw:
         2.0
         """
         exact = [Fraction(x) for x in motion]
-        largest = max(map(abs, exact))
-        if not largest:
+        if not any(exact):
             return None
+        largest = max(map(abs, exact))
         v, omega = (tuple(x / largest for x in part) for part in (exact[:3], exact[3:]))
         square = dot(omega, omega)
         if square < Fraction(1, 10**18):
@@ -131,6 +144,9 @@ class SolidGrasp:
         forces: contact forces to be shown, none if there are none.
         wrench: applied, if one is shown.
         virtual: show how the motion moves the contact points, not how they slip.
+        places, normals: (m, 3); the contact points, and inward.
+        screw: of the motion, in the coordinates of the grasp; None if nothing moves.
+        force_scale: by what forces are multiplied: the largest one has the length `FORCE`.
     """
 
     grasp: Grasp
@@ -138,20 +154,15 @@ class SolidGrasp:
     forces: Sequence[Sequence[float | Fraction]] = ()
     wrench: RationalVector = ()
     virtual: bool = False
-    frame: Frame = field(init=False)
 
     def __post_init__(self) -> None:
         self.frame = frame_of(self.grasp, self.grasp.outline)
-
-    @cached_property
-    def places(self) -> Floats:
-        """(m, 3); the contact points."""
-        return np.array([self.frame.paper(c.point) for c in self.grasp]).reshape(-1, 3)
-
-    @cached_property
-    def normals(self) -> Floats:
-        """(m, 3); inward."""
-        return np.array([[float(x) for x in c.normal] for c in self.grasp]).reshape(-1, 3)
+        self.places = np.array([self.frame.paper(c.point) for c in self.grasp]).reshape(-1, 3)
+        self.normals = np.array([c.normal for c in self.grasp], float).reshape(-1, 3)
+        self.screw = Screw.of(self.motion)
+        sizes = [math.hypot(*map(float, f)) for f in (*self.forces, self.wrench[:3])]
+        self.largest_force = max(*sizes, *(float(c.preload) for c in self.grasp), 0.0)
+        self.force_scale = FORCE / self.largest_force if self.largest_force else 0.0
 
     @property
     def groups(self) -> Iterator[tuple[int, list[int], str]]:
@@ -167,125 +178,97 @@ class SolidGrasp:
             yield firsts[0], firsts, ", ".join(str(i + 1) for i in members)
 
     @cached_property
-    def body(self) -> tuple[Floats, list[tuple[int, ...]], bool]:
+    def body(self) -> tuple[Floats, list[Cycle], bool]:
         """Points and faces, counter-clockwise from outside, and whether it is the stated outline.
 
         Without an outline, or beyond 1500 facets, it is the convex hull, if that has a volume.
         """
         outline = self.grasp.outline
         if isinstance(outline, Sphere):
-            return (
-                *_ball(self.frame.paper(outline.centre), float(outline.radius / self.frame.half)),
-                True,
-            )
+            middle = self.frame.paper(outline.centre)
+            return (*ball(middle, float(outline.radius / self.frame.half)), True)
         if not isinstance(outline, Mesh):
             return (*convex_hull(self.places), False)
         points = np.array([self.frame.paper(p) for p in outline.vertices])
+        if len(outline.faces) > _MOST_FACETS:
+            return (*convex_hull(points), False)
         faces = [tuple(face) for face in outline.faces]
         if faces and volume(points, faces) < 0:
             faces = [face[::-1] for face in faces]
-        if len(outline.faces) > _MOST_FACETS:
-            return (*convex_hull(points), False)
         return points, merge_faces(points, faces), True
-
-    @cached_property
-    def largest_force(self) -> float:
-        """The largest contact force, preload or applied force; 0 without any."""
-        sizes = [math.hypot(*map(float, f)) for f in self.forces]
-        sizes += [math.hypot(*map(float, self.wrench[:3]))] if self.wrench else []
-        sizes += [float(c.preload) for c in self.grasp]
-        return max(sizes, default=0.0)
-
-    @property
-    def force_scale(self) -> float:
-        """By what forces are multiplied: the largest one has the length `FORCE`."""
-        return FORCE / self.largest_force if self.largest_force else 0.0
-
-    @cached_property
-    def screw(self) -> Screw | None:
-        """The screw of the motion, in the coordinates of the grasp."""
-        return Screw.of(self.motion) if self.motion else None
 
     @cached_property
     def slips(self) -> Floats:
         """(m, 3); how each contact point slips or moves, the longest `MOVED` long."""
         v, omega = (np.array(part, float) for part in (self.motion[:3], self.motion[3:]))
-        points = np.array([[float(x) for x in c.point] for c in self.grasp]).reshape(-1, 3)
+        points = np.array([c.point for c in self.grasp], float).reshape(-1, 3)
         moved = v + np.cross(omega, points)
         inward = np.einsum("ij,ij->i", moved, self.normals)[:, None] * self.normals
-        slips = moved if self.virtual else moved - inward
+        slips: Floats = moved if self.virtual else moved - inward
         sizes = np.linalg.norm(slips, axis=1)
         slips[sizes < 1e-9 * np.linalg.norm(moved, axis=1)] = 0
         largest = float(np.linalg.norm(slips, axis=1).max(initial=0.0))
-        scaled: Floats = slips * (MOVED / largest if largest else 0.0)
-        return scaled
+        return slips * (MOVED / largest if largest else 0.0)
 
-    def arrows(self) -> Iterator[Arrow]:
-        """Yield the arrows: preloads, the wrench, forces, slips, the axis of the motion."""
-        for i, (p, n) in enumerate(zip(self.places, self.normals, strict=True), 1):
-            preload = float(self.grasp.contacts[i - 1].preload) * self.force_scale
-            if preload:
-                yield Arrow(f"preload-{i}", p - max(preload, 0.12) * n, p)
-        for i, force in enumerate(self.forces, 1):
-            arm = np.array([float(x) for x in force]) * self.force_scale
-            if arm.any():
-                yield Arrow(f"force-{i}", self.places[i - 1], self.places[i - 1] + arm)
-        yield from self._wrench()
-        if self.motion:
-            for i, slip in enumerate(self.slips, 1):
-                if slip.any():
-                    yield Arrow(f"slip-{i}", self.places[i - 1], self.places[i - 1] + slip)
-            yield from self._axis()
-
-    def _wrench(self) -> Iterator[Arrow]:
-        """Yield the applied force at the origin, and the torque as an arc around its axis."""
+    @cached_property
+    def arrows(self) -> list[Arrow]:
+        """Preloads, forces, the wrench, slips, and the axis of the motion."""
+        arrows = []
+        for i, (c, p, n) in enumerate(zip(self.grasp, self.places, self.normals, strict=True), 1):
+            if preload := float(c.preload) * self.force_scale:
+                arrows.append(Arrow(f"preload-{i}", p - max(preload, 0.12) * n, p))
+        forces = np.array(self.forces, float) * self.force_scale
+        arrows += self._at_contacts("force", forces)
         origin = self.frame.paper((Fraction(0),) * 3)
-        if np.abs(origin).max() > 2:
-            return
-        force, torque = (np.array(part, float) for part in (self.wrench[:3], self.wrench[3:]))
-        if force.any():
-            yield Arrow("wrench-force", origin, origin + force * self.force_scale)
-        if torque.any():
-            yield from arc("wrench-torque", origin, unit(torque), 0.25, 0.0, 0.75)
+        if np.abs(origin).max() <= 2:
+            force, torque = (np.array(part, float) for part in (self.wrench[:3], self.wrench[3:]))
+            if force.any():
+                arrows.append(Arrow("wrench-force", origin, origin + force * self.force_scale))
+            if torque.any():
+                arrows += arc("wrench-torque", origin, unit(torque), 0.25, 0.0, 0.75)
+        if self.screw is not None:
+            arrows += [*self._at_contacts("slip", self.slips), *self._axis(self.screw)]
+        return arrows
 
-    @property
-    def axis_is_far(self) -> bool:
-        """Whether the motion is a turn about an axis that is outside the picture."""
-        turns = self.screw is not None and self.screw.point is not None
-        return turns and not any(arrow.name == "axis" for arrow in self._axis())
+    def _at_contacts(self, kind: str, arms: Floats) -> Iterator[Arrow]:
+        for i, (place, arm) in enumerate(zip(self.places, arms, strict=False), 1):
+            if arm.any():
+                yield Arrow(f"{kind}-{i}", place, place + arm)
 
-    def _axis(self) -> Iterator[Arrow]:
-        if self.screw is None:
-            return
-        axis = self.screw.axis
-        if self.screw.point is None or self.screw.pitch is None:
+    def _axis(self, screw: Screw) -> Iterator[Arrow]:
+        """Yield a shift, or the axis of a turn and a helix around it, unless it is far."""
+        axis, size = screw.axis, float(self.frame.half)
+        if screw.point is None or screw.pitch is None:
             yield Arrow("axis", -0.5 * MOVED * axis, 0.5 * MOVED * axis)
             return
-        size = float(self.frame.half)
-        point = self.screw.point / size - np.array(
-            [float(c / self.frame.half) for c in self.frame.centre]
-        )
+        middle = np.array([float(c / self.frame.half) for c in self.frame.centre])
+        point = screw.point / size - middle
         point = point - (point @ axis) * axis
         if float(np.linalg.norm(point)) > FAR:
             return
         yield Arrow("axis", point - 1.3 * axis, point + 1.3 * axis, headless=True)
-        rise = 2 * math.pi * self.screw.pitch / size
+        rise = 2 * math.pi * screw.pitch / size
         turns = min(0.75 if abs(rise) < 1e-9 else _TURNS, 1.6 / max(abs(rise), 1e-9))
         yield from arc("axis-turn", point, axis, _HELIX, rise, turns)
 
     @property
-    def cones(self) -> Iterator[tuple[int, Floats, Floats]]:
-        """Yield number, apex and rim of each friction cone; of one too thin the rim is a point."""
+    def axis_is_far(self) -> bool:
+        """Whether the motion is a turn about an axis that is outside the picture."""
+        return self.screw is not None and not any(self._axis(self.screw))
+
+    @cached_property
+    def cones(self) -> list[tuple[str, Floats, Floats]]:
+        """Name, apex and rim of each friction cone; if too thin, of the normal and its end."""
+        cones = []
         for i, (c, p, n) in enumerate(zip(self.grasp, self.places, self.normals, strict=True), 1):
             angle = math.atan(float(c.friction))
-            across, other = (np.array([float(x) for x in t]) for t in c.tangents)
-            turns = np.linspace(0, 2 * math.pi, _SIDES, endpoint=False)[:, None]
-            ring = np.cos(turns) * across + np.sin(turns) * other
-            rim = p + CONE * (math.cos(angle) * n + math.sin(angle) * ring)
-            yield i, p, rim if angle > _THIN else rim[:1]
+            ring = math.sin(angle) * circle(c.tangents, _SIDES)
+            rim: Floats = p + CONE * (math.cos(angle) * n + ring)
+            cones.append((f"cone-{i}", p, rim) if angle > _THIN else (f"normal-{i}", p, rim[:1]))
+        return cones
 
-    def patches(self, towards: Floats | None = None) -> list[Patch]:
-        """Return all pieces.
+    def tree(self, towards: Floats | None = None) -> list[Node[Patch]]:
+        """Return all pieces in an order for painting; they may be cut.
 
         Args:
             towards: the viewer, see `drawn_edges`.
@@ -294,23 +277,17 @@ class SolidGrasp:
         drawn, pieces = drawn_edges(points, faces, towards), []
         for face in faces:
             shown = [(points[a], points[b]) for a, b in cycle_edges(face) if (a, b) in drawn]
-            pieces += flat([points[a] for a in face], "body", shown)
+            pieces += flat(points[list(face)], "body", shown)
         if not faces and len(self.places) > 1:
             middle = self.places.mean(axis=0)
             pieces += [p for place in self.places for p in segment(place, middle, "link")]
-        for i, apex, rim in self.cones:
+        for name, apex, rim in self.cones:
             if len(rim) == 1:
-                pieces += segment(apex, rim[0], f"normal-{i}")
+                pieces += segment(apex, rim[0], name)
                 continue
-            for p, q in zip(rim, np.roll(rim, -1, axis=0), strict=True):
-                pieces += flat([apex, p, q], f"cone-{i}", [(p, q)])
-        for arrow in self.arrows():
-            pieces += arrow_pieces(arrow)
-        return pieces
-
-    def tree(self, towards: Floats | None = None) -> list[Node[Patch]]:
-        """Return the pieces in an order for painting; they may be cut."""
-        return depth_tree(self.patches(towards))
+            for p, q in cycle_edges(list(rim)):
+                pieces += flat([apex, p, q], name, [(p, q)])
+        return depth_tree([*pieces, *(p for arrow in self.arrows for p in arrow_pieces(arrow))])
 
 
 #: Of faces of the body that look at the viewer: what is inside shines through.
@@ -319,27 +296,10 @@ _GLASS = PALE + "70"
 _STATED: dict[str, Any] = {"ec": BLACK, "lw": 0.7, "role": "edge"}
 _INDICATED = {**_STATED, "ls": (0, (5, 2.5))}
 _HIDDEN: dict[str, Any] = {"ec": GREY, "lw": 0.5, "ls": (0, (3, 2.5)), "role": "hidden"}
-_DASHES: dict[str, Any] = {"axis": (0, (6, 2, 1, 2)), "link": (0, (5, 2.5))}
 
 
-def _ball(centre: Floats, radius: float) -> tuple[Floats, list[tuple[int, ...]]]:
-    """Return points and faces of a sphere, so fine that pictures show its silhouette alone."""
-    rings, around = 24, 48
-    heights, turns = (np.linspace(0, part * np.pi, n + 1) for part, n in ((1, rings), (2, around)))
-    points = [
-        centre + radius * np.array([np.sin(h) * np.cos(a), np.sin(h) * np.sin(a), -np.cos(h)])
-        for h in heights[1:-1]
-        for a in turns[:-1]
-    ]
-    low, high = len(points), len(points) + 1
-    points += [centre + np.array([0, 0, side * radius]) for side in (-1, 1)]
-    faces: list[tuple[int, ...]] = []
-    for j in range(around):
-        k, last = (j + 1) % around, (rings - 2) * around
-        faces += [(low, k, j), (high, last + j, last + k)]
-        for start in range(0, last, around):
-            faces.append((start + j, start + k, start + around + k, start + around + j))
-    return np.array(points), faces
+def _corners(tree: Iterable[Node[Patch]]) -> Floats:
+    return float_points(p for node in tree for patch in node.patches for p in patch.corners)
 
 
 def solved_in_space(
@@ -380,7 +340,7 @@ def drawn_in_space(
 
 def clear_side(solid: SolidGrasp) -> IntegerVector:
     """Return a direction from above from which normals and forces are seen from the side."""
-    directions = [*solid.normals, *(a.end - a.start for a in solid.arrows() if not a.headless)]
+    directions = [*solid.normals, *(a.end - a.start for a in solid.arrows if not a.headless)]
     along = unit(np.reshape(directions or np.zeros((1, 3)), (-1, 3)))
 
     def score(seen: Sequence[IntegerVector]) -> Floats:
@@ -396,71 +356,49 @@ class _SpatialGraspPicture(SolidSheet):
     """Puts the pieces on a scene, back to front."""
 
     def __init__(self, solid: SolidGrasp, towards: IntegerVector, width: float, note: str) -> None:
-        self.solid, self.stated = solid, solid.body[2]
-        nodes = solid.tree(np.array(towards, float))
-        held = [float_points(p.corners) for node in nodes for p in node.patches]
-        content = np.concatenate([np.zeros((1, 3)), *held]) @ picture_axes(towards).T
+        self.solid, tree = solid, solid.tree(np.array(towards, float))
+        content = np.vstack([np.zeros((1, 3)), _corners(tree)]) @ picture_axes(towards).T
         super().__init__(towards, width, (content, AROUND), tallest=None)
-        self.count, self.labels = 0, Labels(self.scene)
-        middle, half = np.array([float(x) for x in solid.frame.centre]), float(solid.frame.half)
+        self.labels, numbers = Labels(self.scene), count(1)
+        middle, half = np.array(solid.frame.centre, float), float(solid.frame.half)
         self.scene.maps.append(PageMap(place=lambda p: self.at((p - middle) / half), size=3))
-        for z, patches in self.layers(nodes, 1):
+        for z, patches in self.layers(tree, 1):
             for patch in patches:
-                self._patch(patch, z)
-        self._pads()
-        self._numbers()
-        self._describe(note)
-
-    def _patch(self, patch: Patch, z: float) -> None:
-        self.count += 1
-        kind, gid = patch.name.partition("-")[0], f"{patch.name}-{self.count}"
-        corners = self.at_exact(patch.corners)
-        ahead = self.faces(patch)
-        edges = [self.at_exact(edge) for edge in patch.edges]
-        self.labels.avoid(*edges)
-        if kind == "body":
-            if ahead:
-                self.scene.polygon(corners, fc=_GLASS, ec="none", zorder=z, gid=gid, role="region")
-            style = _HIDDEN if not ahead else _STATED if self.stated else _INDICATED
-            for edge in edges:
-                self.scene.line(edge, zorder=z, gid=gid, capstyle="round", **style)
-            return
-        if kind == "cone":
-            self.scene.polygon(corners, fc=CONE_FILL, ec="none", zorder=z, gid=gid, role="region")
-        elif len(corners) > 2:
-            ink = INKS[kind]
-            fill = "#ffffff" if kind == "preload" else ink
-            self.scene.polygon(
-                corners, fc=fill, ec=ink, lw=0.3, joinstyle="round", zorder=z, gid=gid, role="arrow"
-            )
-        ink, wide = INKS.get(kind, CONE_EDGE), 0.5 if kind in ("cone", "normal") else 1.2
-        wide = {"preload": 0.7, "axis": 0.8, "link": 0.5}.get(kind, wide)
-        dashes = _DASHES.get(patch.name, "solid")
-        for edge in edges:
-            self.scene.line(edge, ec=ink, lw=wide, ls=dashes, zorder=z, gid=gid, role="arrow")
-
-    def _pads(self) -> None:
-        """Mark the contact points by small discs in the tangent planes."""
-        for i, (p, c) in enumerate(zip(self.solid.places, self.solid.grasp, strict=True), 1):
-            first, second = (np.array([float(x) for x in t]) for t in c.tangents)
-            turns = np.linspace(0, 2 * math.pi, 20, endpoint=False)[:, None]
-            disc = self.at(p + 0.035 * (np.cos(turns) * first + np.sin(turns) * second))
+                self._patch(patch, {"zorder": z, "gid": f"{patch.name}-{next(numbers)}"})
+        for i, (p, c) in enumerate(zip(solid.places, solid.grasp, strict=True), 1):
+            # A small disc in the tangent plane.
+            disc = self.at(p + 0.035 * circle(c.tangents, 20))
             look: dict[str, Any] = {"fc": BLACK, "ec": BLACK, "lw": 0.8, "role": "point"}
             self.scene.polygon(disc, zorder=3, gid=f"pad-{i}", **look)
+        for k, members, text in solid.groups:
+            out = -(self.axes @ solid.normals[members].sum(axis=0))[:2]
+            self.labels.write(text, near(self.at(solid.places[k]), out), gid=f"number-{k + 1}")
+        heads = [a.end for a in solid.arrows if a.name.startswith("wrench") and not a.headless]
+        if heads:
+            name_wrench(self.labels, [self.at(heads[0])])
+        self._describe(note)
 
-    def _numbers(self) -> None:
-        """Write the numbers of the contacts, those at one point together, and name the wrench."""
-        labels = self.labels
-        for k, members, text in self.solid.groups:
-            out = -(self.axes @ self.solid.normals[members].sum(axis=0))[:2]
-            labels.write(text, near(self.at(self.solid.places[k]), out), gid=f"number-{k + 1}")
-        for arrow in self.solid.arrows():
-            if arrow.name == "wrench-force" or (
-                arrow.name == "wrench-torque"
-                and not arrow.headless
-                and not any(self.solid.wrench[:3])
-            ):
-                name_wrench(labels, [self.at(arrow.end)])
+    def _patch(self, patch: Patch, place: dict[str, Any]) -> None:
+        """Draw a piece; its lines are those of a body, or have the look of its kind."""
+        kind, corners, ahead = (
+            patch.name.partition("-")[0],
+            self.at_exact(patch.corners),
+            self.faces(patch),
+        )
+        ink, style = INKS[kind], {"ec": INKS[kind], "lw": _WIDTHS.get(kind, 1.2)}
+        style |= {"ls": _DASHES.get(patch.name, "solid"), "role": "arrow"}
+        if kind == "body":
+            stated = _STATED if self.solid.body[2] else _INDICATED
+            style = {**(stated if ahead else _HIDDEN), "capstyle": "round"}
+        if kind == "cone" or (kind == "body" and ahead):
+            fill = CONE_FILL if kind == "cone" else _GLASS
+            self.scene.polygon(corners, fc=fill, ec="none", role="region", **place)
+        elif kind != "body" and len(corners) > 2:
+            look = {"ec": ink, "lw": 0.3, "joinstyle": "round", "role": "arrow"}
+            self.scene.polygon(corners, fc="#ffffff" if kind == "preload" else ink, **look, **place)
+        for edge in map(self.at_exact, patch.edges):
+            self.labels.avoid(edge)
+            self.scene.line(edge, **style, **place)
 
     def _describe(self, note: str) -> None:
         solid, legend = self.solid, self.scene.legend
@@ -469,13 +407,12 @@ class _SpatialGraspPicture(SolidSheet):
         explain_grasp(legend, solid.grasp, solid.wrench, any(map(any, solid.forces)))
         if solid.largest_force:
             force = nice_near(Fraction(solid.largest_force))
-            explain_scale(
-                legend, solid.grasp.units, force, float(force) * solid.force_scale * self.scale
-            )
-        if solid.motion and solid.screw is None:
-            legend.line(motion_text(solid))
-        elif solid.motion:
+            length = float(force) * solid.force_scale * self.scale
+            explain_scale(legend, solid.grasp.units, force, length)
+        if solid.screw is not None:
             legend.key(symbol("shift"), motion_text(solid))
+        elif solid.motion:
+            legend.line(motion_text(solid))
 
 
 def motion_text(solid: SolidGrasp) -> str:
@@ -541,12 +478,6 @@ def proof_in_space(grasp: Grasp, wrench: Wrench, width: float) -> Scene:
     return scene
 
 
-_BODY = "#dfe6ea" + "60"
-#: Radius of the shafts of arrows in a model.
-_SHAFT = 0.008
-_TELLS = ("cone", "normal", "preload", "force", "slip")
-
-
 def grasp_page(
     grasp: Grasp,
     *,
@@ -567,28 +498,19 @@ def grasp_page(
     """
     solid, note = solved_in_space(grasp, wrench)
     towards = clear_side(solid) if camera is None else view_direction(camera)
-    tree = solid.tree()
-    number_of = grasp.size_words
-    facts = [note or None, wrench_text(solid.wrench, grasp.units) if any(solid.wrench) else None]
-    facts.append(motion_text(solid) if solid.motion else None)
+    tree, number_of = solid.tree(), grasp.size_words
+    facts = [note, wrench_text(solid.wrench, grasp.units) if any(solid.wrench) else ""]
+    facts.append(motion_text(solid) if solid.motion else "")
     legend = [(CONE_EDGE, "friction cone")]
     legend += [(INKS["force"], "contact force")] * any(map(any, solid.forces))
     legend += [(INKS["wrench"], "applied wrench")] * any(solid.wrench)
     legend += [(INKS["slip"], "axis of the motion, and slips")] * (solid.screw is not None)
-    reach = max(
-        (
-            float(np.linalg.norm(float_points(p.corners), axis=1).max())
-            for n in tree
-            for p in n.patches
-        ),
-        default=1.0,
-    )
     return SolidPage(
         title if title is not None else f"A grasp in space, {number_of}",
         "; ".join(filter(None, facts)),
         str(grasp.units) if grasp.units else number_of,
         picture_axes(towards),
-        reach,
+        float(np.linalg.norm(_corners(tree), axis=1).max(initial=0.0)) or 1.0,
         [node.map_patches(_face) for node in tree],
         [(name.capitalize(), _contact_facts(solid, i)) for i, name in enumerate(grasp.point_names)],
         legend,
@@ -601,10 +523,9 @@ def grasp_page(
 
 def _face(patch: Patch) -> PageFace:
     kind, _, contact = patch.name.partition("-")
-    fill = _BODY if kind == "body" else CONE_FILL if kind == "cone" else INKS.get(kind, CONE_EDGE)
-    number, faint = int(contact) - 1 if kind in _TELLS else -1, kind == "link"
-    ink = BLACK if kind == "body" else INKS.get(kind, CONE_EDGE)
-    return page_face(patch, fill, number, sheet=True, faint=faint, ink=ink)
+    number = int(contact) - 1 if contact.isdigit() else -1
+    look: dict[str, Any] = {"sheet": True, "faint": kind == "link", "ink": INKS[kind]}
+    return page_face(patch, _FILLS[kind], number, **look)
 
 
 def _contact_facts(solid: SolidGrasp, i: int) -> list[tuple[str, str]]:
@@ -639,54 +560,25 @@ def grasp_model(
     half = millimetres(size, "size") / 2
     points, faces, _ = solid.body
     closed = bool(faces) and not any(open_edges(faces))
-    parts = [_part("body", [(points, faces)], _BODY, half)] if closed else []
-    solids: dict[str, list[Any]] = {
-        f"cone-{i}": [_prism(np.broadcast_to(apex, rim.shape), rim)]
-        for i, apex, rim in solid.cones
-        if len(rim) > 1
-    }
-    for arrow in solid.arrows():
-        solids.setdefault(arrow.name, []).extend(_solids(arrow))
-    for name, pieces in solids.items():
-        colour = INKS.get(name.partition("-")[0], CONE_FILL)
-        parts.append(_part(name, pieces, colour, half))
+    parts: dict[str, list[Solid]] = {"body": [(points, faces)]} if closed else {}
+    for name, apex, rim in solid.cones:
+        if len(rim) > 1:
+            parts[name] = [prism(np.broadcast_to(apex, rim.shape), rim)]
+    for arrow in solid.arrows:
+        parts.setdefault(arrow.name, []).extend(arrow_solids(arrow))
     if not parts:
         raise InputError("the grasp has no contacts and no body, so there is no model of it")
-    return model_bytes(parts, suffix, f"a grasp in space, {grasp.size_words}")
+    surfaces = [_surface(name, solids, half) for name, solids in parts.items()]
+    return model_bytes(surfaces, suffix, f"a grasp in space, {grasp.size_words}")
 
 
-def _part(
-    name: str, solids: Iterable[tuple[Floats, Sequence[tuple[int, ...]]]], colour: str, half: float
-) -> ClosedSurface:
-    """Return several closed surfaces as one part."""
-    points: list[Floats] = []
-    faces: list[tuple[int, ...]] = []
+def _surface(name: str, solids: Sequence[Solid], half: float) -> ClosedSurface:
+    """Return several solids as one part of a model."""
+    faces: list[Cycle] = []
     count = 0
-    for own, cycles in solids:
+    for points, cycles in solids:
         faces += [tuple(k + count for k in cycle) for cycle in cycles]
-        points.append(own)
-        count += len(own)
-    return ClosedSurface(name, half * np.concatenate(points), tuple(faces), (colour,) * len(faces))
-
-
-def _prism(base: Floats, top: Floats) -> tuple[Floats, list[tuple[int, ...]]]:
-    """Return the solid between two rings, of which one may be the apex of a pyramid, repeated.
-
-    Seen from the top both go counter-clockwise.
-    """
-    k = len(base)
-    sides = [(j, (j + 1) % k, k + (j + 1) % k, k + j) for j in range(k)]
-    faces = [tuple(range(k - 1, -1, -1)), tuple(range(k, 2 * k)), *sides]
-    return np.vstack([base, top]), faces
-
-
-def _solids(arrow: Arrow) -> Iterator[tuple[Floats, list[tuple[int, ...]]]]:
-    """Yield the shaft of an arrow, unless the head is longer, and its head."""
-    tip, ring = head_of(arrow)
-    neck = ring.mean(axis=0)
-    thin = (ring - neck) * (_SHAFT / float(np.linalg.norm(ring[0] - neck)))
-    end = arrow.end if arrow.headless else neck
-    if float((end - arrow.start) @ (arrow.end - arrow.start)) > 0:
-        yield _prism(arrow.start + thin, end + thin)
-    if not arrow.headless:
-        yield _prism(ring, np.broadcast_to(tip, ring.shape))
+        count += len(points)
+    colours = (_FILLS[name.partition("-")[0]],) * len(faces)
+    corners = half * np.concatenate([points for points, _ in solids])
+    return ClosedSurface(name, corners, tuple(faces), colours)

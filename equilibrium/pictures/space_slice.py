@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
@@ -41,23 +42,22 @@ def slice_in_space(grasp: Grasp, axes: Iterable[str], rays: int, width: float) -
     if not 3 <= rays <= 360:
         raise GraspError(f"the number of rays is {rays}; give 3 to 360")
     first, second = map(NAMES.index, chosen)
-    spokes, loads = [], KnownLoads(grasp, _NODES)
-    patient = KnownLoads(grasp, _MORE_NODES)
-    patient.trees, patient.solver = loads.trees, loads.solver
+    spokes, quick, patient = [], KnownLoads(grasp, _NODES), KnownLoads(grasp, _MORE_NODES)
+    patient.trees, patient.solver = quick.trees, quick.solver
     for k in watched(range(rays), "rays"):
         angle = 2 * math.pi * k / rays
         direction = unit_normal((math.cos(angle), math.sin(angle)), Fraction(1, 100)).normal
         load = [Fraction(0)] * 6
         load[first], load[second] = direction
         # Without preload there is one load to ask, and an answer in any case.
-        chosen_loads = patient if loads.scales else loads
-        known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=chosen_loads, every=_EVERY)
-        if chosen_loads is loads and known.samples[-1][1] == UNDECIDED:
-            known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=patient, every=_EVERY)
-        spokes.append((np.array([float(x) for x in direction]), known))
+        for loads in [patient] if quick.scales else [quick, patient]:
+            known = spatial_magnitudes(grasp, load, width=_WIDTH, loads=loads, every=_EVERY)
+            if known.samples[-1][1] != UNDECIDED:
+                break
+        spokes.append((np.array(direction, float), known))
     rows = [
         [(float(v[first]), float(v[second]), float(rest)) for v, rest in tree]
-        for tree in filter(None, loads.trees)
+        for tree in filter(None, quick.trees)
     ]
     return _drawn(grasp, spokes, rows, (_LABELS[first], _LABELS[second]), width)
 
@@ -112,15 +112,12 @@ def _stretches(known: SpatialMagnitudes) -> Iterator[tuple[float, float, bool, b
 
     What lies between two that are refused is left out; the last one is unbounded.
     """
-    verdicts: dict[Fraction, str] = dict(known.samples)
+    verdicts: dict[Any, str] = dict(known.samples)
     for border in known.borders:
         verdicts |= {border.resisted: RESISTED, border.refused: NOT_RESISTED}
         verdicts |= dict.fromkeys(border.undecided, UNDECIDED)
     since, start, before, tried = 0.0, 0.0, verdicts.pop(Fraction(0)), False
-    for t, verdict in [*sorted(verdicts.items()), (Fraction(0), "")]:
-        end = float(t) if verdict else math.inf
-        if not verdict and before == RESISTED and not tried:
-            break  # Beyond the largest that was tried nothing is known.
+    for end, verdict in [*sorted(verdicts.items()), (math.inf, "")]:
         if verdict == UNDECIDED:
             tried = True
             continue
@@ -128,9 +125,10 @@ def _stretches(known: SpatialMagnitudes) -> Iterator[tuple[float, float, bool, b
             if since < start:
                 yield since, start, True, False
             if tried or (verdict and verdict != before):
-                yield start, end, False, tried
-            since = end
-        start, before, tried = end, verdict, False
+                yield start, float(end), False, tried
+            since = float(end)
+        if verdict:  # beyond the largest that was tried nothing is known
+            start, before, tried = float(end), verdict, False
     if since < start:
         yield since, start, True, False
 
