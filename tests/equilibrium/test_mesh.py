@@ -201,6 +201,12 @@ REFUSED = {
     "long.ply": (ply("0 1 0", "3 0 1 2 2"), "goes on"),
     "count.ply": (ply("0 1 0", "3 0 1 2").replace("face 1", f"face {10**17}"), "ends before"),
     "list.ply": (ply("0 1 0", f"{10**17} 0 1 2"), "ends before"),
+    "nan.ply": (ply("0 1 0", "nan 0 1 2").replace("uchar", "float"), "ends before"),
+    "floats.ply": (ply("0 1 0", "3 0 1 2").replace("uchar int", "uchar float"), "floats for"),
+    "lists.ply": (
+        ply("0 1 0", "3 0 1 2").replace("float x", "list uchar float x"),
+        "no x, y and z",
+    ),
 }
 
 

@@ -13,7 +13,7 @@ import io
 import re
 import struct
 from array import array
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import islice, pairwise
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
@@ -29,8 +29,8 @@ from arrangement.numbers.float_filter import Floats
 from equilibrium.model.errors import GraspError
 
 Facets: TypeAlias = NDArray[np.intp]
-#: Points (V, 3), and the numbers of those of each facet (F, 3).
-Triangles: TypeAlias = tuple[Floats, Facets]
+#: The coordinates of points and the numbers of those of each facet, in the order of a file.
+_Buffers: TypeAlias = "tuple[array[float] | Floats, array[int] | Facets]"
 
 #: What a facet and a point take until the contacts are found, measured.
 _BYTES_OF_FACET, _BYTES_OF_POINT = 350, 100
@@ -39,9 +39,12 @@ _LONGEST = 2**20
 #: Products of four coordinates are floats.
 FARTHEST = 1e60
 _BINARY_STL = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attributes", "<u2")])
-#: The words of a facet of an ASCII STL file; empty where a number is.
-_STL_FACET = ["facet", "normal", *3 * [""], "outer", "loop", *3 * ["vertex", "", "", ""]]
-_STL_FACET += ["endloop", "endfacet"]
+_STL_VECTOR = r" (\S+) (\S+) (\S+)"
+#: A facet of an ASCII STL file, 21 words.
+_STL_FACET = re.compile(
+    f"facet normal{_STL_VECTOR} outer loop{3 * (' vertex' + _STL_VECTOR)} endloop endfacet",
+    re.ASCII | re.IGNORECASE,
+)
 _PLY_TYPES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I"}
 _PLY_TYPES |= {"int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I"}
 _PLY_TYPES |= {"float": "f", "float32": "f", "double": "d", "float64": "d"}
@@ -56,18 +59,16 @@ _PLY_FORMATS = {
     "format binary_little_endian 1.0": "<",
     "format binary_big_endian 1.0": ">",
 }
-_GLB_JSON = 0x4E4F534A
-_GLB_BINARY = 0x004E4942
+#: The numbers of a GLB file: how many an entry has, and their types by what glTF calls them.
+_GLB_TYPES = {"VEC3": (3, {5126: "<f4"}), "SCALAR": (1, {5121: "<u1", 5123: "<u2", 5125: "<u4"})}
 _GLB_TRIANGLES = 4
-_GLB_INDICES = {5121: "<u1", 5123: "<u2", 5125: "<u4"}
-_GLB_FLOAT = 5126
 _NUMBER = re.compile(
     r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?|[+-]?(nan|inf)", re.ASCII | re.IGNORECASE
 )
 _INTEGER = re.compile("[+-]?[0-9]{1,18}")
 
 
-def read_triangles(path: Path) -> Triangles:
+def read_triangles(path: Path) -> tuple[Floats, Facets]:
     """Return points (V, 3) and facets (F, 3) of a file; polygons are cut into fans.
 
     Raises:
@@ -81,26 +82,27 @@ def read_triangles(path: Path) -> Triangles:
     content = read_bytes(path, str(path), "bytes of a mesh")
     try:
         with np.errstate(invalid="ignore", over="ignore"):  # what is not a number is refused below
-            points, facets = read(content)
+            coordinates, corners = read(content)
+        points = np.asarray(coordinates, np.float64).reshape(-1, 3)
+        facets = np.asarray(corners, np.intp).reshape(-1, 3)
+        _check_size(len(facets), len(points))
+        low, high = facets.min(initial=0), facets.max(initial=-1)
+        if low < 0 or high >= len(points):
+            raise GraspError(
+                f"a facet names vertex {low or high}; there are {len(points)}, counted from 0"
+            )
     except OutOfReachError:
         raise
     except InputError as error:
         raise GraspError(f"{path} is not a mesh that can be read: {error}") from None
-    check_size(len(facets), len(points))
     if not len(facets):
         raise GraspError(f"{path} has no facets; give a mesh with a closed surface")
     if not (np.abs(points) <= FARTHEST).all():
         raise GraspError(f"{path} has coordinates that are not numbers, or beyond 1e60")
-    if facets.min() < 0 or facets.max() >= len(points):
-        worst = facets.min() if facets.min() < 0 else facets.max()
-        raise GraspError(
-            f"{path} is not a mesh that can be read: a facet names vertex {worst}; there are "
-            f"{len(points)}, counted from 0"
-        )
     return points, facets
 
 
-def check_size(facets: int, points: int = 0) -> None:
+def _check_size(facets: int, points: int = 0) -> None:
     """Refuse a mesh that takes more memory than the budget has."""
     budget.check_cost(
         f"a mesh of {facets:,} facets",
@@ -109,79 +111,59 @@ def check_size(facets: int, points: int = 0) -> None:
     )
 
 
-class _Builder:
-    """Points and facets in the order of a file, as numbers of eight bytes."""
-
-    def __init__(self) -> None:
-        self.points, self.facets = array("d"), array("q")
-
-    def add_facet(self, corners: Sequence[int]) -> None:
-        """Add a polygon, cut into a fan."""
-        if len(corners) < 3:
-            raise GraspError(f"a facet has {len(corners)} corners; expected three or more")
-        if len(corners) > 3:  # triangles are no longer than their text
-            check_size(len(self.facets) // 3 + len(corners))
-        for a, b in pairwise(corners[1:]):
-            self.facets.extend((corners[0], a, b))
-
-    def triangles(self) -> Triangles:
-        points = np.frombuffer(self.points, np.float64).reshape(-1, 3)
-        return points, np.frombuffer(self.facets, np.int64).astype(np.intp).reshape(-1, 3)
+def _add_facet(facets: array[int], corners: Sequence[int]) -> None:
+    """Add a polygon, cut into a fan."""
+    if len(corners) < 3:
+        raise GraspError(f"a facet has {len(corners)} corners; expected three or more")
+    if len(corners) > 3:  # triangles are no longer than their text
+        _check_size(len(facets) // 3 + len(corners))
+    for a, b in pairwise(corners[1:]):
+        facets.extend((corners[0], a, b))
 
 
-def _stl(content: bytes) -> Triangles:
+def _stl(content: bytes) -> _Buffers:
     number = int.from_bytes(content[80:84], "little")
     if len(content) == 84 + number * _BINARY_STL.itemsize:
-        facets = np.frombuffer(content, _BINARY_STL, number, 84)
-        corners = facets["corners"].astype(np.float64).reshape(-1, 3)
-    else:
-        corners = np.frombuffer(_ascii_stl(content), np.float64).reshape(-1, 3)
-    return corners, np.arange(len(corners)).reshape(-1, 3)
-
-
-def _ascii_stl(content: bytes) -> array[float]:
-    """Return the coordinates of the corners of an ASCII STL file, facet by facet."""
-    corners = array("d")
+        corners = np.frombuffer(content, _BINARY_STL, number, 84)["corners"].astype(np.float64)
+        return corners, np.arange(3 * number)
+    coordinates, facet = array("d"), list[str]()
     begun = ended = 0
-    facet: list[str] = []
     for words in _lines(content):
         first = words[0].lower() if words else ""
         begun, ended = begun + (first == "solid"), ended + (first == "endsolid")
-        facet += [] if first in ("solid", "endsolid") else words
         if not ended <= begun <= ended + 1:
             break
-        while len(facet) >= len(_STL_FACET):
-            used, facet = facet[: len(_STL_FACET)], facet[len(_STL_FACET) :]
-            if any(b not in (a.lower(), "") for a, b in zip(used, _STL_FACET, strict=True)):
+        facet += [] if first in ("solid", "endsolid") else words
+        while len(facet) >= 21:
+            match = _STL_FACET.fullmatch(" ".join(facet[:21]))
+            if not match:
                 raise GraspError("a facet is not: facet normal, outer loop, three vertices, ...")
-            words = [a for a, b in zip(used, _STL_FACET, strict=True) if not b]
-            corners.extend(_numbers(words, float)[3:])
+            coordinates.extend(_numbers(match.groups())[3:])
+            del facet[:21]
     if not begun == ended > 0 or facet:
         raise GraspError(
             "it is neither a binary STL file as long as its number of facets requires, nor an "
             "ASCII one from solid to endsolid"
         )
-    return corners
+    return coordinates, np.arange(len(coordinates) // 3)
 
 
-def _obj(content: bytes) -> Triangles:
-    mesh = _Builder()
+def _obj(content: bytes) -> _Buffers:
+    coordinates, facets = array("d"), array("q")
     # a backslash at the end continues a line
     whole = re.sub(rb"#.*|\\\r?\n", b" ", content)
     for number, (kind, *words) in enumerate((words or [""] for words in _lines(whole)), 1):
         try:
             if kind == "f":
-                mesh.add_facet([_obj_index(word, len(mesh.points) // 3) for word in words])
+                _add_facet(facets, [_obj_index(word, len(coordinates) // 3) for word in words])
             elif kind == "v":
                 # after x y z may come a weight, or a colour, or both
                 if len(words) not in (3, 4, 6, 7):
                     raise GraspError(f"a vertex has {len(words)} numbers; expected x y z")
-                mesh.points.extend(_numbers(words, float)[:3])
-        except InputError as error:
-            if isinstance(error, OutOfReachError):
-                raise
+                coordinates.extend(_numbers(words)[:3])
+        except GraspError as error:
             raise GraspError(f"line {number}: {error}") from None
-    return mesh.triangles()
+    return coordinates, facets
 
 
 def _obj_index(word: str, points: int) -> int:
@@ -198,144 +180,116 @@ def _obj_index(word: str, points: int) -> int:
     return index
 
 
-class _PlyProperty(NamedTuple):
-    """A property of an element: its type, and of a list the type of its lengths, else ""."""
+def _ply(content: bytes) -> _Buffers:
+    header, end, body = content.partition(b"end_header")
+    endian, elements = _ply_header(_text(header, "the header") if end else "")
+    body = body.removeprefix(b"\r").removeprefix(b"\n")
+    units: Iterator[Any] = iter(body) if endian else (x for words in _lines(body) for x in words)
 
-    name: str
-    kind: str
-    length: str
-
-
-class _PlyBody:
-    """What follows the header, taken from its beginning to its end.
-
-    Args:
-        endian: of the bytes; empty where numbers are words.
-    """
-
-    def __init__(self, content: bytes, endian: str) -> None:
-        self.content, self.endian, self.place = content, endian, 0
-        self.words = (word for words in _lines(b"" if endian else content) for word in words)
-
-    def take(self, kind: str, number: int) -> Sequence[Any]:
-        """Return the next numbers of a kind."""
-        size = struct.calcsize(self.endian + kind) if self.endian else 1  # of a word at least
-        if 0 <= number <= (len(self.content) - self.place) // size:
-            if self.endian:
-                self.place += number * size
-                form = f"{self.endian}{number}{kind}"
-                return struct.unpack_from(form, self.content, self.place - number * size)
-            words = list(islice(self.words, number))
-            if len(words) == number:
-                return _numbers(words, float if kind in "fd" else int)
+    def take(kind: str, number: float) -> Sequence[Any]:
+        """Return the next numbers of a kind, from bytes or from words."""
+        if 0 <= number <= len(body):
+            form = f"{endian}{int(number)}{kind}"
+            size = struct.calcsize(form) if endian else int(number)
+            taken: Any = (bytes if endian else list)(islice(units, size))
+            if len(taken) == size:
+                return struct.unpack(form, taken) if endian else _numbers(taken, kind)
         raise GraspError("it ends before the numbers that its counts promise")
 
-    def at_end(self) -> bool:
-        return self.place == len(self.content) if self.endian else next(self.words, None) is None
-
-    def row(self, properties: Iterable[_PlyProperty]) -> dict[str, Sequence[Any]]:
-        """Return the values of the next of the elements by property."""
-        return {
-            p.name: self.take(p.kind, int(self.take(p.length, 1)[0]) if p.length else 1)
-            for p in properties
-        }
-
-
-def _ply(content: bytes) -> Triangles:
-    header, end, rest = content.partition(b"end_header")
-    text = _text(_short(header, "the header"))
-    first, form, *lines = *(" ".join(line.split()) for line in text.splitlines()), "", ""
-    if not end or first != "ply" or form not in _PLY_FORMATS:
-        raise GraspError("a PLY file begins with ply, its format and a header up to end_header")
-    body = _PlyBody(rest.removeprefix(b"\r").removeprefix(b"\n"), _PLY_FORMATS[form])
-    mesh = _Builder()
-    for name, number, properties in _ply_elements(lines):
-        names = {p.name for p in properties}
-        corners = next((x for x in ("vertex_indices", "vertex_index") if x in names), "")
-        if name == "vertex" and not {"x", "y", "z"} <= names:
+    coordinates, facets = array("d"), array("q")
+    for name, count, properties in elements:
+        kinds = {key: kind for kind, length, key in properties}
+        corners = next((key for key in ("vertex_indices", "vertex_index") if key in kinds), "")
+        single = {key for _, length, key in properties if not length}
+        if name == "vertex" and not {*"xyz"} <= single:
             raise GraspError("its vertices have no x, y and z")
-        for _ in range(number if properties else 0):
-            row = body.row(properties)
+        if name == "face" and kinds.get(corners) in ("f", "d"):
+            raise GraspError("its facets have floats for vertices; expected whole numbers")
+        for _ in range(count if properties else 0):
+            row = {
+                key: take(kind, take(length, 1)[0] if length else 1)
+                for kind, length, key in properties
+            }
             if name == "vertex":
-                mesh.points.extend((row["x"][0], row["y"][0], row["z"][0]))
+                coordinates.extend((*row["x"], *row["y"], *row["z"]))
             elif name == "face" and corners:
-                mesh.add_facet(row[corners])
-    if not body.at_end():
+                _add_facet(facets, row[corners])
+    if next(units, None) is not None:
         raise GraspError("it goes on after the last element of its header")
-    return mesh.triangles()
+    return coordinates, facets
 
 
-def _ply_elements(lines: Iterable[str]) -> list[tuple[str, int, list[_PlyProperty]]]:
-    """Return name, number and properties of each element of a header."""
-    elements: list[tuple[str, int, list[_PlyProperty]]] = []
+def _ply_header(text: str) -> tuple[str, list[tuple[str, int, list[tuple[str, str, str]]]]]:
+    """Return the order of bytes, and name, number and properties of each element.
+
+    Of a property there are the type, that of its length if it is a list, else "", and the name.
+    """
+    first, form, *lines = *(" ".join(line.split()) for line in text.splitlines()), "", ""
+    if first != "ply" or form not in _PLY_FORMATS:
+        raise GraspError("a PLY file begins with ply, its format and a header up to end_header")
+    elements: list[tuple[str, int, list[tuple[str, str, str]]]] = []
     for line in lines:
         match = _PLY_LINE.fullmatch(line)
         if match and match[1]:
             elements.append((match[1], int(match[2]), []))
         elif match and elements:
-            length, kind = _PLY_TYPES.get(match[3], ""), _PLY_TYPES[match[4]]
-            elements[-1][2].append(_PlyProperty(match[5], kind, length))
+            elements[-1][2].append((_PLY_TYPES[match[4]], _PLY_TYPES.get(match[3], ""), match[5]))
         elif line.partition(" ")[0] not in ("", "comment", "obj_info"):
             raise GraspError(f"a line of its header is {shown(line)}")
-    return elements
+    return _PLY_FORMATS[form], elements
 
 
-def _text(content: bytes) -> str:
-    """Return a text; bytes that are not UTF-8, as in names, are not numbers."""
+def _text(content: bytes, what: str) -> str:
+    """Return a text whose words, each with 50 bytes more, fit into memory.
+
+    Bytes that are not UTF-8, as in names, are not numbers.
+    """
+    if len(content) > _LONGEST:
+        raise GraspError(f"{what} of it has {len(content):,} bytes; expected at most {_LONGEST:,}")
     return content.decode("utf-8", errors="replace")
 
 
 def _lines(content: bytes) -> Iterator[list[str]]:
-    for line in io.BytesIO(content):
-        yield _text(_short(line, "a line")).split()
+    return (_text(line, "a line").split() for line in io.BytesIO(content))
 
 
-def _short(content: bytes, what: str) -> bytes:
-    """Return bytes whose words fit into memory, each with 50 bytes more."""
-    if len(content) > _LONGEST:
-        raise GraspError(f"{what} of it has {len(content):,} bytes; expected at most {_LONGEST:,}")
-    return content
-
-
-def _numbers(words: Sequence[str], kind: type[float]) -> list[Any]:
-    form, what = (_INTEGER, "a whole number") if kind is int else (_NUMBER, "a number")
+def _numbers(words: Sequence[str], kind: str = "d") -> list[Any]:
+    """Return numbers of a kind of `struct`."""
+    read, form, what = (
+        (float, _NUMBER, "a number") if kind in "fd" else (int, _INTEGER, "a whole number")
+    )
     for word in words:
         if not form.fullmatch(word):
             raise GraspError(f"{shown(word)} is not {what}")
-    return [kind(word) for word in words]
+    return [read(word) for word in words]
 
 
-def _glb(content: bytes) -> Triangles:
-    chunks = dict(_chunks(content))
-    if content[:8] != b"glTF\2\0\0\0" or _GLB_JSON not in chunks:
+def _glb(content: bytes) -> _Buffers:
+    chunks, place = dict[bytes, bytes](), 12
+    while place + 8 <= len(content):
+        length, kind = struct.unpack_from("<I4s", content, place)
+        place += 8 + length
+        if place > len(content):
+            raise GraspError("it ends before the bytes that its chunks promise")
+        chunks[kind] = content[place - length : place]
+    if content[:8] != b"glTF\2\0\0\0" or b"JSON" not in chunks:
         raise GraspError("a GLB file has the header of version 2 and a chunk of JSON")
-    budget.check_size(len(chunks[_GLB_JSON]), "bytes of a file", "the JSON of the GLB file")
-    scene = parse_json(
-        chunks[_GLB_JSON].decode("utf-8", errors="replace"), "its JSON", floats=float
-    )
+    budget.check_size(len(chunks[b"JSON"]), "bytes of a file", "the JSON of the GLB file")
+    text = chunks[b"JSON"].decode("utf-8", errors="replace")
+    scene = _GlbScene(parse_json(text, "its JSON", floats=float), chunks.get(b"BIN\0", b""))
     try:
-        return _GlbScene(scene, chunks.get(_GLB_BINARY, b"")).triangles()
+        return scene.triangles()
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
         if isinstance(error, InputError):
             raise
         raise GraspError("its JSON is not that of a glTF scene") from None
 
 
-def _chunks(content: bytes) -> Iterator[tuple[int, bytes]]:
-    place = 12
-    while place + 8 <= len(content):
-        length, kind = struct.unpack_from("<II", content, place)
-        if place + 8 + length > len(content):
-            raise GraspError("it ends before the bytes that its chunks promise")
-        yield kind, content[place + 8 : place + 8 + length]
-        place += 8 + length
-
-
-class _GlbScene:
+class _GlbScene(NamedTuple):
     """The scene of a glTF document, all of whose numbers are in one block of bytes."""
 
-    def __init__(self, document: dict[str, Any], data: bytes) -> None:
-        self.document, self.data = document, data
+    document: dict[str, Any]
+    data: bytes
 
     def item(self, kind: str, number: Any) -> Any:
         """Return an entry of a list of the document."""
@@ -344,7 +298,7 @@ class _GlbScene:
             raise GraspError(f"its {kind} have no number {shown(number)}")
         return entries[number]
 
-    def triangles(self) -> Triangles:
+    def triangles(self) -> tuple[Floats, Facets]:
         """Return the triangles of the nodes of the scene, each mesh where its nodes put it."""
         if not self.document.get("scenes"):
             raise GraspError("it has no scene")
@@ -365,7 +319,7 @@ class _GlbScene:
             for part in self.item("meshes", node["mesh"])["primitives"] if "mesh" in node else ():
                 own, corners = self.part(part)
                 count += max(len(own), len(corners)) // 3
-                check_size(count)
+                _check_size(count)
                 turn = -1 if np.linalg.det(transform[:3, :3]) < 0 else 1
                 points.append(own.astype(np.float64) @ transform[:3, :3].T + transform[:3, 3])
                 facets.append(start + corners.astype(np.intp).reshape(-1, 3)[:, ::turn])
@@ -376,20 +330,19 @@ class _GlbScene:
         """Return the points of a part of a mesh and the corners of its triangles, as stored."""
         if part.get("mode", _GLB_TRIANGLES) != _GLB_TRIANGLES:
             raise GraspError("its meshes are not of single triangles (mode 4)")
-        points = self.numbers(part["attributes"]["POSITION"], {_GLB_FLOAT: "<f4"}, "VEC3", 3)
+        points = self.numbers(part["attributes"]["POSITION"], "VEC3")
         indices = part.get("indices")
-        corners = np.arange(len(points))
-        if indices is not None:
-            corners = self.numbers(indices, _GLB_INDICES, "SCALAR", 1)[:, 0]
+        corners = np.arange(len(points)) if indices is None else self.numbers(indices, "SCALAR")
         if len(corners) % 3 or (len(corners) and corners.max() >= len(points)):
             raise GraspError(
                 f"a facet names a vertex that is not there; there are {len(points)}, from 0"
             )
         return points, corners
 
-    def numbers(self, number: Any, kinds: dict[int, str], form: str, width: int) -> NDArray[Any]:
-        """Return the (count, width) numbers of an accessor, which are in the file in full."""
+    def numbers(self, number: Any, form: str) -> NDArray[Any]:
+        """Return the numbers of an accessor, which are in the file in full, an entry a row."""
         accessor = self.item("accessors", number)
+        width, kinds = _GLB_TYPES[form]
         kind = kinds.get(accessor["componentType"])
         if "sparse" in accessor or "bufferView" not in accessor:
             raise GraspError(f"accessor {number} has no data of its own; write it in full")
@@ -417,14 +370,9 @@ def _placement(node: dict[str, Any]) -> Floats:
     if "matrix" in node:
         return np.array(node["matrix"], float).reshape(4, 4).T
     transform = np.eye(4)
-    x, y, z, w = np.array(node.get("rotation", (0, 0, 0, 1)), float)
-    turned = np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
+    *axis, w = np.array(node.get("rotation", (0, 0, 0, 1)), float).reshape(4)
+    across = np.cross(axis, np.eye(3))
+    turned = np.eye(3) + 2 * (w * across + np.cross(axis, across)).T
     transform[:3, :3] = turned * np.array(node.get("scale", (1, 1, 1)), float)
     transform[:3, 3] = np.array(node.get("translation", (0, 0, 0)), float)
     return transform
