@@ -44,6 +44,8 @@ _FACING = math.cos(math.radians(45))
 _AT_ONCE = 50_000
 #: Grasps carry meshes of up to this many facets as their outlines.
 _MOST_FACETS = 2000
+#: A point on a surface with its change, and a facet there.
+_Placed: TypeAlias = tuple[tuple[RationalVector, Fraction], int]
 
 
 @dataclass(frozen=True)
@@ -69,28 +71,21 @@ class Surface:
             InputError: no file, no mesh in it, more facets than the budget has, a surface that is
                 not closed, or one that is not oriented alike everywhere.
         """
-        return cls.of_triangles(*read_triangles(Path(path)), name=str(path))
-
-    @classmethod
-    def of_triangles(cls, points: Floats, facets: Facets, name: str = "the mesh") -> Surface:
-        """Return the surface of some triangles; equal points are joined first."""
-        points = np.asarray(points, np.float64) + 0.0  # no negative zeros
-        if not len(facets) or not np.isfinite(points).all():
-            raise GraspError(f"{name} has no facets, or points that are not numbers; give a mesh")
+        points, facets = read_triangles(Path(path))
+        points = points + 0.0  # no negative zeros
         order, new = group_rows(np.ascontiguousarray(points).view(np.uint64))
         label = np.empty(len(points), np.intp)
         label[order] = np.cumsum(new) - 1
-        facets, points = label[np.asarray(facets)], points[order[new]]
-        following = np.roll(facets, -1, axis=1)
-        facets = facets[(facets != following).all(axis=1)]
-        _check_closed(facets, len(points), name)
+        facets, points = label[facets], points[order[new]]  # equal points are joined
+        facets = facets[(facets != np.roll(facets, -1, axis=1)).all(axis=1)]
+        _check_closed(facets, len(points), path)
         whole = cls(points, facets, float(np.linalg.norm(np.ptp(points, axis=0))))
         if np.einsum("ij,ij->", whole.corners[:, 0], whole.outward) < 0:
             facets = facets[:, ::-1]
         areas = np.linalg.norm(whole.outward, axis=1)
         facets = facets[areas > (_ON_SURFACE * whole.size) ** 2]
         if not len(facets):
-            raise GraspError(f"no facet of {name} has an area; give the surface of a solid")
+            raise GraspError(f"no facet of {path} has an area; give the surface of a solid")
         return replace(whole, facets=facets)
 
     @cached_property
@@ -107,9 +102,8 @@ class Surface:
 
     def exact_inward(self, facet: int) -> RationalVector:
         """Return the inward normal of a facet from the stored corners, of any length."""
-        a, b, c = (from_floats(row) for row in self.points[self.facets[facet]])
-        first, second = (difference(p, a) for p in (b, c))
-        return cross(second, first)
+        a, b, c = from_floats(self.corners[facet])
+        return cross(difference(c, a), difference(b, a))
 
     def outline(self) -> Mesh | None:
         """Return the mesh for pictures; None beyond 2000 facets."""
@@ -118,7 +112,7 @@ class Surface:
         used = np.unique(self.facets)
         number = {old: new for new, old in enumerate(used.tolist())}
         return Mesh(
-            [_simple(self.points[i], self.size) for i in used],
+            [_simple(self.points[i], self.size)[0] for i in used],
             [[number[i] for i in row] for row in self.facets.tolist()],
         )
 
@@ -163,9 +157,6 @@ def on_mesh(
     """
     surface = Surface.read(path)
     wanted = [coordinates(point, f"point {i + 1}", 3) for i, point in enumerate(at)]
-    for i, point in enumerate(wanted, 1):
-        if max(map(abs, point)) > FARTHEST:
-            raise GraspError(f"point {i} is beyond 1e60; give a place near the surface")
     chosen = _nearest(surface, wanted, from_floats(max_distance), smooth)
     chosen += _drawn(surface, random, seed, facing)
     if not chosen:
@@ -185,67 +176,59 @@ def on_mesh(
     )
 
 
-Found: TypeAlias = tuple[tuple[RationalVector, Fraction], int]
-
-
-def _check_closed(facets: Facets, points: int, name: str) -> None:
+def _check_closed(facets: Facets, points: int, name: str | os.PathLike[str]) -> None:
     """Refuse a surface unless each edge has one facet on each side, oriented alike."""
     ahead, back = facets, np.roll(facets, -1, axis=1)
-    there, here = (np.sort((a * points + b).ravel()) for a, b in ((ahead, back), (back, ahead)))
-    if (there[1:] != there[:-1]).all() and (there == here).all():
-        return
-    low, high = np.minimum(ahead, back), np.maximum(ahead, back)
-    sizes = np.unique((low * points + high).ravel(), return_counts=True)[1]
+    edges = np.minimum(ahead, back) * points + np.maximum(ahead, back)
+    sizes = np.unique(edges, return_counts=True)[1]
     if odd := int((sizes != 2).sum()):
         raise GraspError(
             f"{name} is not watertight: {odd} of its {len(sizes)} edges do not have two facets, so "
             "it has no inside; close the surface first"
         )
-    raise GraspError(
-        f"the facets of {name} are not oriented alike: neighbours turn opposite ways, so it has no "
-        "inside; orient them first"
-    )
+    if len(np.unique(ahead * points + back)) < facets.size:
+        raise GraspError(
+            f"the facets of {name} are not oriented alike: neighbours turn opposite ways, so it "
+            "has no inside; orient them first"
+        )
 
 
 def _nearest(
     surface: Surface, wanted: Sequence[RationalVector], max_distance: Fraction, smooth: bool
-) -> list[Found]:
-    """Return for each point its place on the surface, with the change, and a facet there."""
+) -> list[_Placed]:
+    """Return for each point its place on the surface."""
     if not wanted:
         return []
     with extra("mesh"):
         from trimesh.triangles import closest_point
 
-    corners = surface.corners
+    corners, fine = surface.corners, _ON_SURFACE * surface.size
     centres = corners.mean(axis=1)
     reach = np.linalg.norm(corners - centres[:, None], axis=2).max(axis=1)
-    nearest: list[Found] = []
-    for i, point in enumerate(wanted):
-        here = np.array(point, float)
+    nearest: list[_Placed] = []
+    for i, point in enumerate(wanted, 1):
+        if max(map(abs, point)) > FARTHEST:
+            raise GraspError(f"point {i} is beyond 1e60; give a place near the surface")
+        here, name = np.array(point, float), f"point {i} {vector_text(point)}"
         away = np.linalg.norm(centres - here, axis=1)
-        near = np.flatnonzero(away - reach <= away.min() + _ON_SURFACE * surface.size)
+        near = np.flatnonzero(away - reach <= away.min() + fine)
         parts = np.array_split(near, len(near) // _AT_ONCE + 1)
         places = np.concatenate(
             [closest_point(corners[p], np.tile(here, (len(p), 1))) for p in parts]  # type: ignore[no-untyped-call]
         )
         distances = np.linalg.norm(places - here, axis=1)
-        best = int(distances.argmin())
-        least = float(distances[best])
+        least = float(distances.min())
         if least > max_distance * Fraction(surface.size):
             raise GraspError(
-                f"point {i + 1} {vector_text(point)} is {least:.4g} from the surface, more than "
-                f"{shown(max_distance)} of its size {surface.size:.4g}; give a nearer point, or "
-                "a larger share (--max-distance)"
+                f"{name} is {least:.4g} from the surface, more than {shown(max_distance)} of its "
+                f"size {surface.size:.4g}; give a nearer point, or a larger share (--max-distance)"
             )
-        ties = near[distances <= least + _ON_SURFACE * surface.size]
+        ties = near[distances <= least + fine]
         if not smooth:
-            _check_smooth(surface.outward[ties], f"point {i + 1} {vector_text(point)}")
-        if least <= _ON_SURFACE * surface.size:
-            nearest.append(((point, Fraction(0)), int(ties[0])))
-            continue
-        place = _simple(places[best], surface.size)
-        change = max(abs(x - y) for x, y in zip(place, point, strict=True))
-        nearest.append(((place, change), int(ties[0])))
+            _check_smooth(surface.outward[ties], name)
+        best = places[distances.argmin()]
+        place = _simple(best, surface.size, point) if least > fine else (point, Fraction(0))
+        nearest.append((place, int(ties[0])))
     return nearest
 
 
@@ -259,7 +242,7 @@ def _check_smooth(normals: Floats, name: str) -> None:
         )
 
 
-def _drawn(surface: Surface, number: int, seed: int, facing: Iterable[Any] | None) -> list[Found]:
+def _drawn(surface: Surface, number: int, seed: int, facing: Iterable[Any] | None) -> list[_Placed]:
     """Return random places, evenly spread by area over the facets that may be chosen."""
     if not number:
         if facing is not None:
@@ -281,14 +264,12 @@ def _drawn(surface: Surface, number: int, seed: int, facing: Iterable[Any] | Non
             )
     source = Random(f"mesh {seed}")
     sums = list(accumulate(areas[chosen].tolist()))
-    drawn: list[Found] = []
+    drawn: list[_Placed] = []
     for _ in range(number):
         facet = int(source.choices(chosen, cum_weights=sums)[0])
         a, b = sorted((source.random(), source.random()))
         place = np.array([a, b - a, 1 - b]) @ surface.corners[facet]
-        simple = _simple(place, surface.size)
-        change = max(abs(x - Fraction(y)) for x, y in zip(simple, place.tolist(), strict=True))
-        drawn.append(((simple, change), facet))
+        drawn.append((_simple(place, surface.size), facet))
     return drawn
 
 
@@ -310,6 +291,9 @@ def _smooth_inward(
     return [tuple(row) for row in between.tolist()]
 
 
-def _simple(place: Floats, size: float) -> RationalVector:
-    """Return simple rationals near the coordinates of a point."""
-    return tuple(snapped(x, _FINE * Fraction(size))[0] for x in place.tolist())
+def _simple(
+    place: Floats, size: float, wanted: RationalVector | None = None
+) -> tuple[RationalVector, Fraction]:
+    """Return simple rationals near a point, and their largest change from it or a wanted point."""
+    point = tuple(snapped(x, _FINE * Fraction(size))[0] for x in place.tolist())
+    return point, max(map(abs, difference(point, wanted or from_floats(place))))
