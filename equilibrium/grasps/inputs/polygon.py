@@ -192,38 +192,29 @@ def is_straight(corners: Sequence[RationalVector], i: int) -> bool:
 def _clash(corners: Sequence[RationalVector], i: int, j: int) -> bool:
     """Return whether two edges, i < j, share more than the corner that neighbours share."""
     n = len(corners)
-    a, b = corners[i], corners[(i + 1) % n]
-    c, d = corners[j], corners[(j + 1) % n]
-    if a == b or c == d:
-        return True
-    if j == i + 1 or (i == 0 and j == n - 1):
-        first, shared, last = (a, b, d) if j == i + 1 else (c, a, b)
-        back, ahead = difference(first, shared), difference(last, shared)
-        return turn(back, ahead) == 0 and back[0] * ahead[0] + back[1] * ahead[1] > 0
-    cases = ((a, b, c), (a, b, d), (c, d, a), (c, d, b))
-    return do_cross((a, b), (c, d)) or any(place_on_segment(*x) is not None for x in cases)
+    (a, b), (c, d) = first, second = [(corners[k], corners[(k + 1) % n]) for k in (i, j)]
+    ends = sum([is_on(first, c), is_on(first, d), is_on(second, a), is_on(second, b)])
+    shared = 2 if j - i in (1, n - 1) else 0
+    return a == b or c == d or ends > shared or do_cross(first, second)
 
 
 def do_cross(first: Segment, second: Segment) -> bool:
     """Return whether segments cross in a point that is no end of either."""
-
-    def parts(line: Segment, ends: Segment) -> bool:
-        along = difference(line[1], line[0])
-        low, high = (sign(turn(along, difference(end, line[0]))) for end in ends)
-        return low * high < 0
-
-    return parts(first, second) and parts(second, first)
+    return all(
+        sign(side(line, start)) * sign(side(line, end)) < 0
+        for line, (start, end) in ((first, second), (second, first))
+    )
 
 
-def place_on_segment(
-    start: RationalVector, end: RationalVector, point: RationalVector
-) -> Fraction | None:
-    """Return where a point lies on a segment, 0 to 1, or None."""
-    along, away = difference(end, start), difference(point, start)
-    if turn(along, away) != 0:
-        return None
-    s: Fraction = dot(along, away) / dot(along, along)
-    return s if 0 <= s <= 1 else None
+def is_on(edge: Segment, point: RationalVector) -> bool:
+    """Return whether a point lies on a segment, maybe at an end."""
+    return side(edge, point) == 0 and bool(dot(*(difference(end, point) for end in edge)) <= 0)
+
+
+def side(edge: Segment, point: RationalVector) -> Fraction:
+    """Return a number above 0 where a point is left of an edge, 0 where it is on its line."""
+    (a, b), (c, d), (x, y) = *edge, point
+    return (a - x) * (d - y) - (b - y) * (c - x)
 
 
 def _located(
@@ -238,9 +229,9 @@ def _located(
             f"places[{index}] is corner {corners.index(point)}, where two normals meet; "
             "name the edge with OnEdge(edge, at)"
         )
-    for edge, start in enumerate(corners):
-        if place_on_segment(start, corners[(edge + 1) % len(corners)], point) is not None:
-            return edge, point
+    for i, edge in enumerate(cycle_edges(corners)):
+        if is_on(edge, point):
+            return i, point
     raise GraspError(f"places[{index}] is not on the boundary; name the edge with OnEdge(edge, at)")
 
 

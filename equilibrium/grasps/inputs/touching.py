@@ -41,7 +41,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.outline import Circle, Outline, Polygon, Segments
 from equilibrium.model.unit_normal import UnitNormal, unit_normal
 
-from .polygon import Segment, do_cross, is_straight, orientation, place_on_segment, turn
+from .polygon import Segment, do_cross, is_on, is_straight, orientation, side, turn
 
 #: Lines of centres whose angle has a sine below this do not fix the place of a disc.
 _LEAST_SINE = Fraction(1, 100)
@@ -223,8 +223,8 @@ def touching(
         GraspError: overlaps, or no exact normal.
     """
     listed, close = list(shapes), rational(gap, "gap")
-    least = min((x.form.radius for x in listed if isinstance(x.form, Circle)), default=close + 1)
-    if not 0 <= close < least:
+    radii = [shape.form.radius for shape in listed if isinstance(shape.form, Circle)]
+    if not 0 <= close < min(radii, default=close + 1):
         raise GraspError(
             f"gap is {to_text(close)}; it must be at least 0 and below the least radius"
         )
@@ -269,8 +269,17 @@ def touches(shapes: Sequence[Shape], gap: Fraction) -> Iterator[Touch]:
     Their numbers may be functions of a letter, if the gap is 0.
     """
     for first, second in combinations(shapes, 2):
-        if (first.is_body or second.is_body) and not _are_apart(first, second, gap):
-            yield from _touches(first, second, gap)
+        if not (first.is_body or second.is_body) or _are_apart(first, second, gap):
+            continue
+        if isinstance(second.form, Circle) and not (
+            isinstance(first.form, Circle) and first.is_body
+        ):
+            first, second = second, first
+        if isinstance(first.form, Circle):
+            yield from _round_touches(first, second, first.form, gap)
+        else:
+            _refuse_overlap(first, second)
+            yield from _edge_touches(first, second)
 
 
 def into_body(
@@ -290,25 +299,13 @@ def _are_apart(first: Shape, second: Shape, gap: Fraction) -> bool:
     return any(max(a) + gap < min(b) or max(b) + gap < min(a) for a, b in zip(*boxes, strict=True))
 
 
-def _touches(first: Shape, second: Shape, gap: Fraction) -> Iterator[Touch]:
-    if isinstance(second.form, Circle) and not (isinstance(first.form, Circle) and first.is_body):
-        first, second = second, first
-    if isinstance(first.form, Circle):
-        yield from _round_touches(first, second, first.form, gap)
-    else:
-        _refuse_overlap(first, second)
-        for point, (start, end) in dict.fromkeys(_edge_touches(first, second)):
-            along = difference(end, start)
-            yield Touch(first, second, (along[1], -along[0]), point=point)
-
-
 def _round_touches(disc: Shape, other: Shape, form: Circle, gap: Fraction) -> Iterator[Touch]:
-    reach = other.form.radius if isinstance(other.form, Circle) else Fraction(0)
-    due, directions = form.radius + reach, list(dict.fromkeys(_ways(form.centre, other)))
+    due = form.radius + (other.form.radius if isinstance(other.form, Circle) else 0)
+    ways = dict.fromkeys(_ways(form.centre, other))
     if isinstance(other.form, Polygon) and _contains(form.centre, other):
-        directions = [form.centre[:0]]
-    for direction in directions:
-        square, least, most = dot(direction, direction), due - gap, due + gap
+        ways = {form.centre[:0]: None}
+    for way in ways:
+        square, least, most = dot(way, way), due - gap, due + gap
         if square < least * least:
             raise GraspError(
                 f"{disc.name} and {other.name} overlap: the centre {vector_text(form.centre)} is "
@@ -316,7 +313,7 @@ def _round_touches(disc: Shape, other: Shape, form: Circle, gap: Fraction) -> It
                 "touch at most. Move one, or give a larger gap"
             )
         if square <= most * most:
-            yield Touch(disc, other, direction, _root(square) - due if gap else Fraction(0))
+            yield Touch(disc, other, way, _root(square) - due if gap else Fraction(0))
 
 
 def _ways(centre: RationalVector, shape: Shape) -> Iterator[RationalVector]:
@@ -340,7 +337,7 @@ def _ways(centre: RationalVector, shape: Shape) -> Iterator[RationalVector]:
         if 0 < share < 1 and turn(along, away) <= 0:
             yield tuple(y - share * x for x, y in zip(along, away, strict=True))
     for corner, nearest in is_nearest.items():
-        if nearest and not any(_inside(corner, edge) for edge in shape.edges):
+        if nearest and not any(_is_inside(corner, edge) for edge in shape.edges):
             yield difference(centre, corner)
 
 
@@ -362,16 +359,13 @@ def _placed(
     neighbours in it; a third line is met where the data allow it, as in rows of equal discs.
     """
     neighbours: dict[str, dict[str, RationalVector]] = {name: {} for name in discs}
+    # How many lines of each do not join the given centres: the fewer, the earlier it is placed.
+    missed = Counter[str]()
     for (first, second), normal in lines.items():
         neighbours[first][second] = neighbours[second][first] = normal
+        if turn(difference(discs[first], discs[second]), normal):
+            missed.update((first, second))
     order, left = list[str](), {name: set(others) for name, others in neighbours.items()}
-    # How many lines of each do not join the given centres: the fewer, the earlier it is placed.
-    missed = Counter(
-        name
-        for (first, second), normal in lines.items()
-        if turn(difference(discs[first], discs[second]), normal)
-        for name in (first, second)
-    )
     while left:
         order.append(last := min(left, key=lambda name: (len(left[name]), -missed[name])))
         for second in left.pop(last):
@@ -380,7 +374,7 @@ def _placed(
     for name in reversed(order):
         before = [(placed[x], n) for x, n in neighbours[name].items() if x in placed]
         placed[name] = _on_lines(discs[name], before)
-    return {name: placed[name] for name in discs}
+    return placed
 
 
 def _on_lines(
@@ -400,111 +394,85 @@ def _on_lines(
     return tuple(x + step * n for x, n in zip(start, along, strict=True))
 
 
-def _edge_touches(first: Shape, second: Shape) -> Iterator[tuple[RationalVector, Segment]]:
-    """Yield points of contact, each with an edge that has the second shape to its left."""
-    shared: set[RationalVector] = set()
-    for edge in second.edges:
-        for mine in first.edges:
-            ends = _common(edge, mine)
-            # Of the two edges of a thin wall the one counts that has the wall to its left.
-            if len(ends) == 2 and dot(difference(*edge), difference(*mine)) < 0:
-                shared |= {*ends}
-                yield from ((point, edge) for point in ends)
-    for point, edge in _corners_on(first, second):
-        if point not in shared:
-            yield point, edge
-    for point, (start, end) in _corners_on(second, first):
-        if point not in shared:
-            # Turned round it has the second shape to its left.
-            yield point, (end, start)
+def _edge_touches(first: Shape, second: Shape) -> Iterator[Touch]:
+    """Yield the ends of what edges have in common, then corners inside edges."""
+    shared: list[tuple[RationalVector, Segment]] = []
+    for edge, mine in product(second.edges, first.edges):
+        ends = [point for point in mine if is_on(edge, point)]
+        ends += [point for point in edge if is_on(mine, point)]
+        # Of the two edges of a thin wall the one counts that has the wall to its left.
+        if len({*ends}) == 2 and dot(difference(*edge), difference(*mine)) < 0:
+            shared += [(point, edge) for point in ends]
+    corners = [
+        # An edge of the first shape, turned round, has the second one to its left, too.
+        (corner, edge if other is second else edge[::-1])
+        for shape, other in ((first, second), (second, first))
+        for edge, corner in product(other.edges, shape.corners)
+        if _is_inside(corner, edge)
+        and all(side(edge, end) <= 0 for pair in shape.edges if corner in pair for end in pair)
+    ]
+    known = {point for point, _ in shared}
+    places = [*shared, *(place for place in corners if place[0] not in known)]
+    for point, (start, end) in dict.fromkeys(places):
+        along = difference(end, start)
+        yield Touch(first, second, (along[1], -along[0]), point=point)
 
 
-def _common(edge: Segment, mine: Segment) -> list[RationalVector]:
-    """Return the ends of what two edges have in common, two if both lie on one line."""
-    ends = [p for p in mine if place_on_segment(*edge, p) is not None]
-    ends += [p for p in edge if place_on_segment(*mine, p) is not None]
-    return list(dict.fromkeys(ends))
-
-
-def _inside(point: RationalVector, edge: Segment) -> bool:
+def _is_inside(point: RationalVector, edge: Segment) -> bool:
     """Return whether a point lies on an edge and is not one of its ends."""
-    return point not in edge and place_on_segment(*edge, point) is not None
+    return point not in edge and is_on(edge, point)
 
 
-def _corners_on(first: Shape, second: Shape) -> Iterator[tuple[RationalVector, Segment]]:
-    """Yield corners of one shape inside edges of another, from whose right side they come."""
-    for a, b in second.edges:
-        for corner in first.corners:
-            if _inside(corner, (a, b)):
-                beside = [end for edge in first.edges if corner in edge for end in edge]
-                if all(turn(difference(b, a), difference(end, a)) <= 0 for end in beside):
-                    yield corner, (a, b)
-
-
-def _refuse_overlap(one: Shape, other: Shape) -> None:
+def _refuse_overlap(first: Shape, second: Shape) -> None:
     """Refuse polygons whose insides meet, and thin walls inside polygons or across thin walls.
 
     Insides meet where the edge of one runs inside the other, or two edges run the same way: the
     inside is to the left of both.
     """
-    if isinstance(one.form, Segments) and isinstance(other.form, Segments):
-        for mine, theirs in product(one.form.segments, other.form.segments):
-            if do_cross(mine, theirs):
-                raise GraspError(f"a wall of {one.name} crosses one of {other.name}; move one")
+    walls = [x.form.segments for x in (first, second) if isinstance(x.form, Segments)]
+    if len(walls) == 2:
+        if any(do_cross(mine, theirs) for mine, theirs in product(*walls)):
+            raise GraspError(f"a wall of {first.name} crosses one of {second.name}; move one")
         return
-    for shape, second in ((one, other), (other, one)):
-        for edge in shape.edges:
-            for start, end in _pieces(edge, second):
-                middle = tuple((x + y) / 2 for x, y in zip(start, end, strict=True))
-                if _is_within(middle, edge, second, isinstance(shape.form, Segments)):
-                    raise GraspError(
-                        f"{one.name} and {other.name} overlap at {vector_text(middle)}; expected "
-                        "polygons that touch at most"
-                    )
+    for shape, other in ((first, second), (second, first)):
+        for edge, middle in _middles(shape, other):
+            on = [pair for pair in other.edges if is_on(pair, middle)]
+            same = not walls and any(dot(difference(*edge), difference(*pair)) > 0 for pair in on)
+            if same or (not on and _contains(middle, other)):
+                raise GraspError(
+                    f"{first.name} and {second.name} overlap at {vector_text(middle)}; expected "
+                    "polygons that touch at most"
+                )
 
 
-def _pieces(edge: Segment, shape: Shape) -> Iterator[Segment]:
-    """Yield the parts of an edge between the places where it meets the edges of a shape.
+def _middles(shape: Shape, other: Shape) -> Iterator[tuple[Segment, RationalVector]]:
+    """Yield edges with points of them, one between any two places where they meet other edges.
 
-    Where it runs along one of these, it meets another one at each of the ends.
+    Where an edge runs along one of these, it meets another one at each of the ends.
     """
-    start, end = edge
-    along = difference(end, start)
-    places = [Fraction(0), Fraction(1)]
-    for a, b in shape.edges:
-        across = difference(b, a)
-        if slope := turn(along, across):
-            s = turn(difference(a, start), across) / slope
-            t = turn(difference(a, start), along) / slope
-            places += [s] if 0 <= s <= 1 and 0 <= t <= 1 else []
-    for pair in pairwise(sorted(places)):
-        if pair[0] < pair[1]:
-            low, high = (tuple(x + s * y for x, y in zip(start, along, strict=True)) for s in pair)
-            yield low, high
-
-
-def _is_within(point: RationalVector, edge: Segment, shape: Shape, is_thin: bool) -> bool:
-    """Return whether a point of an edge is inside a polygon, or on an edge that runs the same way.
-
-    Args:
-        is_thin: whether the edge is of a thin wall, which may lie on edges.
-    """
-    for a, b in shape.edges:
-        if place_on_segment(a, b, point) is not None:
-            along, mine = difference(b, a), difference(edge[1], edge[0])
-            is_wall = is_thin or isinstance(shape.form, Segments)
-            return not is_wall and bool(dot(along, mine) > 0)
-    return _contains(point, shape)
+    for start, end in shape.edges:
+        along = difference(end, start)
+        shares = [Fraction(0), Fraction(1)]
+        for a, b in other.edges:
+            across, away = difference(b, a), difference(a, start)
+            if slope := turn(along, across):
+                share, place = (turn(away, way) / slope for way in (across, along))
+                shares += [share] if 0 <= share <= 1 and 0 <= place <= 1 else []
+        for low, high in pairwise(sorted(shares)):
+            if low < high:
+                half = (low + high) / 2
+                yield (start, end), tuple(x + half * y for x, y in zip(start, along, strict=True))
 
 
 def _contains(point: RationalVector, shape: Shape) -> bool:
     """Return whether a point off the boundary is inside: the ray to the right leaves once more."""
-    crossings = 0
-    for a, b in shape.edges:
-        if (a[1] > point[1]) != (b[1] > point[1]):
-            lower, upper = (a, b) if a[1] < b[1] else (b, a)
-            crossings += turn(difference(upper, lower), difference(point, lower)) > 0
-    return crossings % 2 == 1
+    crossings = [
+        edge
+        for edge in shape.edges
+        if (edge[0][1] > point[1]) != (edge[1][1] > point[1])
+        and (side(edge, point) > 0) == (edge[1][1] > point[1])
+    ]
+    return len(crossings) % 2 == 1
 
 
 def _unit(touch: Touch, tolerance: Any) -> UnitNormal:
