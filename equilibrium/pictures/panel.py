@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from statistics import median
 from typing import Any
 
@@ -27,6 +28,7 @@ from arrangement.drawing.scene import (
 )
 from arrangement.drawing.views import Exact
 from arrangement.numbers.exact import IntegerVector, RationalVector, dot, primitive, rational, shown
+from arrangement.numbers.linear.intervals import where_positive
 from arrangement.numbers.linear.polyhedron import Polyhedron, from_conditions
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, read_wrench
@@ -45,42 +47,34 @@ ROOM = Fraction(1, 5)
 class Window(Frame):
     """A square of the plane of wrenches; paper coordinates run from -1 to 1 in it."""
 
-    @property
-    def rows(self) -> tuple[IntegerVector, ...]:
+    @cached_property
+    def rows(self) -> list[IntegerVector]:
         """The conditions ``a . x + b >= 0`` of the square."""
-        walls = []
-        for k in (0, 1):
-            for side in (1, -1):
-                row = [Fraction(0), Fraction(0), self.half - side * self.centre[k]]
-                row[k] = Fraction(side)
-                walls.append(primitive(row))
-        return tuple(walls)
+        sides = [(Fraction(s * a), Fraction(s * (1 - a))) for a in (1, 0) for s in (1, -1)]
+        return [primitive((*side, self.half - dot(side, self.centre))) for side in sides]
 
     def inside(self, polyhedron: Polyhedron) -> Floats | None:
         """Return the corners of the part of a polygon inside, counter-clockwise, on paper."""
         cut: Polyhedron | None = polyhedron
         far = (abs(x - c) for p in polyhedron.points for x, c in zip(p, self.centre, strict=True))
         if not (polyhedron.bounded and max(far) <= self.half):
-            cut = self._cut(polyhedron.inequalities, polyhedron.equalities)
+            rows = [*polyhedron.inequalities, *self.rows]
+            cut = from_conditions(rows, polyhedron.equalities, 2)
         return None if cut is None else np.array([self.paper(p) for p in polygon_cycle(cut)])
 
     def stretch(self, segment: Segment) -> Floats | None:
         """Return the ends of the part of a segment inside, on paper."""
-        inequalities = []
+        u, square = segment.direction, dot(segment.normal, segment.normal)
+        foot = [Fraction(-segment.constant * x, square) for x in segment.normal]
+        rows: list[Any] = [(dot(row[:2], u), dot(row, (*foot, 1))) for row in self.rows]
         for end, sign in ((segment.start, 1), (segment.end, -1)):
             if end is not None:
-                row = [sign * Fraction(x) for x in segment.direction]
-                inequalities.append(primitive([*row, -Fraction(dot(row, end))]))
-        cut = self._cut(inequalities, [(*segment.normal, segment.constant)])
-        if cut is None or len(cut.points) < 2:
+                rows.append((sign * square, -sign * dot(u, end)))
+        span = where_positive(rows)
+        if span is None or span[0] == span[1]:
             return None
-        ends = sorted(cut.points, key=lambda p: Fraction(dot(segment.direction, p)))
-        return np.array([self.paper(end) for end in ends])
-
-    def _cut(
-        self, inequalities: Iterable[IntegerVector], equalities: Iterable[IntegerVector]
-    ) -> Polyhedron | None:
-        return from_conditions([*inequalities, *self.rows], equalities, 2)
+        ends: Any = span  # of the square
+        return np.array([self.paper(x + t * y for x, y in zip(foot, u, strict=True)) for t in ends])
 
 
 def joint_window(
@@ -214,22 +208,17 @@ class Panel:
         """
         for axis in self.axes():
             self.scene.line(axis, ec=GREY, lw=0.4, zorder=1.5, role="axis")
-        half, power = nearest_float(self.window.half), 0
-        if half and math.isfinite(half):
-            power = math.floor(math.log10(half))
-            power = power if not -3 < power < 4 else 0
-            for k, wanted in enumerate((below, left)):
-                if wanted:
-                    self._numbers(k, Fraction(10) ** power)
-        factor = f"10{str(power).translate(_RAISED)}" if power else ""
-        notes = [" ".join(filter(None, (factor, unit))) for unit in units]
-        first, second = (
-            f"{name} ({note})" if note else name for name, note in zip(names, notes, strict=True)
-        )
-        if below:
-            self.scene.text(self.at((0, -1)) - np.array((0, 19)), first)
-        if left:
-            self.scene.text(self.at((-1, 0)) - np.array((26, 0)), second, rotation=90)
+        half = nearest_float(self.window.half)
+        power = math.floor(math.log10(half)) if 0 < half < math.inf else 0
+        power = 0 if -3 < power < 4 else power
+        drawn = [k for k, wanted in enumerate((below, left)) if wanted]
+        for k in drawn:
+            self._numbers(k, Fraction(10) ** power)
+        for k in drawn:
+            factor = f"10{str(power).translate(_RAISED)}" if power else ""
+            note = " ".join(filter(None, (factor, units[k])))
+            place = self.at((-k, k - 1)) - ((26, 0) if k else (0, 19))
+            self.scene.text(place, f"{names[k]} ({note})" if note else names[k], rotation=90 * k)
 
     def _numbers(self, k: int, factor: Fraction) -> None:
         out = np.array([(0, -1), (-1, 0)][k])
@@ -239,8 +228,7 @@ class Panel:
             if k == 0 and beyond > 5:
                 continue
             self.scene.line([tick, tick + 2 * out], ec=GREY, lw=0.4)
-            place, ha = (tick + 8 * out, "center") if k == 0 else (tick + 4 * out, "right")
-            self.scene.text(place, text, ha=ha)
+            self.scene.text(tick + (4 if k else 8) * out, text, ha="right" if k else "center")
 
     def title(self, text: str, above: float = 5.0) -> None:
         """Write a title above, from the left edge; its middle is this many points above the top."""
@@ -369,7 +357,12 @@ FORCE_NAMES = ("$f_x$", "$f_y$")
 
 
 class PlaneQuestion:
-    """What a picture of a plane of forces is asked: a wrench to be marked, and half its side.
+    """What a picture of a plane of forces is asked.
+
+    Attributes:
+        wrench: to be marked, if there is one; `marked` is its force, alone in a list.
+        torque: of the plane.
+        half: half the side, if it is given.
 
     Raises:
         GraspError: no wrench, or an extent that is not above 0.
@@ -378,16 +371,8 @@ class PlaneQuestion:
     def __init__(self, wrench: Wrench | None, extent: Exact | None) -> None:
         self.wrench = None if wrench is None else read_wrench(wrench)
         self.half = read_extent(extent)
-
-    @property
-    def torque(self) -> Fraction:
-        """The torque of the plane."""
-        return Fraction(0) if self.wrench is None else self.wrench[2]
-
-    @property
-    def marked(self) -> list[RationalVector]:
-        """The force to be marked, if there is one."""
-        return [] if self.wrench is None else [self.wrench[:2]]
+        self.torque = self.wrench[2] if self.wrench else Fraction(0)
+        self.marked = [self.wrench[:2]] if self.wrench else []
 
 
 def row_of_panels(

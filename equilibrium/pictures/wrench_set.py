@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
-from math import lcm, prod
+from math import lcm
 from operator import mul
 from statistics import median
 from typing import Any
@@ -61,8 +61,18 @@ _FAR = 4
 #: What is resisted, and where the box cuts it.
 SOLID, CUT = "#5f93bd", "#e3ecf3"
 NAMES = ("f_x", "f_y", "τ")
-#: The walls of the box as outward rows.
+#: The walls of the box as outward rows, as inward ones, and their normals.
 WALLS = tuple((*(s * int(i == j) for j in range(3)), -1) for i in range(3) for s in (1, -1))
+_INWARD = [tuple(-x for x in row) for row in WALLS]
+_NORMALS = np.array(WALLS, float)[:, :3]
+#: The ends of the edges of the box, four along each axis.
+_EDGES = np.array(
+    [
+        np.insert([sides, sides], axis, (-1, 1), axis=1)
+        for axis in range(3)
+        for sides in product((-1, 1), repeat=2)
+    ]
+)
 
 
 @dataclass(frozen=True)
@@ -77,8 +87,8 @@ class WrenchBox:
 
     middle: RationalVector
     half: RationalVector
-    pieces: tuple[Piece, ...]
-    shapes: tuple[Polyhedron, ...]
+    pieces: Sequence[Piece]
+    shapes: Sequence[Polyhedron]
 
     def resists(self, wrench: RationalVector) -> bool:
         """Return whether a wrench is resisted."""
@@ -86,22 +96,27 @@ class WrenchBox:
 
     @cached_property
     def tree(self) -> list[Node[Patch]]:
-        """The surface of the union, in an order for painting."""
-        return depth_tree([*surface(self.shapes), *self._axes()])
-
-    def _axes(self) -> Iterator[Patch]:
-        """Yield the lines through the origin of wrenches, as far as they are in the box."""
-        zero = [-m / h for m, h in zip(self.middle, self.half, strict=True)]
+        """The surface of the union and the axes in the box, in an order for painting."""
+        zero = self.inside((Fraction(0),) * 3)
+        axes = []
         for k in range(3):
             if all(abs(x) < 1 for j, x in enumerate(zero) if j != k):
-                ends = [[Fraction(s) if j == k else x for j, x in enumerate(zero)] for s in (-1, 1)]
-                p, q = (primitive((*end, Fraction(1))) for end in ends)
-                yield Patch((0,) * 4, (p, q), ((p, q),), sheet=True, name="axis")
+                p, q = (
+                    primitive([*zero[:k], Fraction(s), *zero[k + 1 :], Fraction(1)])
+                    for s in (-1, 1)
+                )
+                axes.append(Patch((0,) * 4, (p, q), ((p, q),), sheet=True, name="axis"))
+        return depth_tree([*surface(self.shapes), *axes])
+
+    @cached_property
+    def patches(self) -> list[Patch]:
+        """All pieces of the tree but the axes."""
+        return [p for node in self.tree for p in node.patches if p.name != "axis"]
 
     @cached_property
     def clear_side(self) -> IntegerVector:
         """A direction from above from which much of the set is seen, and little of the walls."""
-        patches = [p for node in self.tree for p in node.patches if len(p.corners) > 2]
+        patches = [patch for patch in self.patches if len(patch.corners) > 2]
         areas = np.array([_area(patch) for patch in patches]).reshape(-1, 3)
         sheet = np.array([patch.sheet for patch in patches], dtype=bool)
         share = np.array([-1.0 if patch.row in WALLS else 1.0 for patch in patches])
@@ -115,31 +130,26 @@ class WrenchBox:
         candidates = views((-9, -5, 5, 9), (-9, -5, 5, 9), (4, -4))
         return best_view([v for v in candidates if abs(v[0]) != abs(v[1])], score)
 
-    def inside(self, wrench: RationalVector) -> list[float]:
+    def inside(self, wrench: RationalVector) -> RationalVector:
         """Return the place of a wrench in the coordinates of the box."""
-        pairs = zip(wrench, self.middle, self.half, strict=True)
-        return [float((x - m) / h) for x, m, h in pairs]
+        triples = zip(wrench, self.middle, self.half, strict=True)
+        return tuple((x - m) / h for x, m, h in triples)
 
     @property
     def filled(self) -> bool:
         """Whether the set holds the whole box: it has volume, and no boundary inside the box."""
-        faces = [p for node in self.tree for p in node.patches if p.name != "axis"]
-        return bool(faces) and all(p.row in WALLS and not p.sheet for p in faces)
+        return bool(self.patches) and all(p.row in WALLS and not p.sheet for p in self.patches)
 
     @property
     def endless(self) -> bool:
         """Whether the box cuts something off."""
-        return any(
-            dot(row, (*point, 1)) == 0
-            for shape in self.shapes
-            for point in shape.points
-            for row in WALLS
-        )
+        points = (point for shape in self.shapes for point in shape.points)
+        return any(abs(x) == 1 for point in points for x in point)
 
 
 def _area(patch: Patch) -> Floats:
     """Return the outward normal of a patch with the length of its area."""
-    corners = np.array([[x / p[3] for x in p[:3]] for p in patch.corners])
+    corners = float_points(patch.corners)
     steps = corners[1:] - corners[0]
     normal: Floats = np.cross(steps[:-1], steps[1:]).sum(axis=0) / 2
     outward = float(normal @ np.array(patch.row[:3], dtype=float))
@@ -153,12 +163,9 @@ def wrench_box(grasp: Grasp, extent: Fraction | None = None) -> WrenchBox:
         extent: half the sides of the box instead, about the origin, for forces and torque.
     """
     pieces = ResistedSet(grasp).polyhedra
-    if extent is None:
-        middle, half = _around(pieces)
-    else:
-        middle, half = (Fraction(0),) * 3, (extent,) * 3
-    inside = [(piece, shape) for piece in pieces if (shape := _inside(piece, middle, half))]
-    return WrenchBox(middle, half, tuple(p for p, _ in inside), tuple(s for _, s in inside))
+    middle, half = ((Fraction(0),) * 3, (extent,) * 3) if extent else _around(pieces)
+    shapes = {piece: shape for piece in pieces if (shape := _inside(piece, middle, half))}
+    return WrenchBox(middle, half, list(shapes), list(shapes.values()))
 
 
 def _around(pieces: tuple[Piece, ...]) -> tuple[RationalVector, RationalVector]:
@@ -176,36 +183,22 @@ def _around(pieces: tuple[Piece, ...]) -> tuple[RationalVector, RationalVector]:
     torque = half[2] or force
     sides = [x + _ROOM * x for x in (force, force, torque)]
     # Short numbers make coordinates in the box short.
-    return (
-        tuple(
-            simplest_between(m - x * _SHORT, m + x * _SHORT)
-            for m, x in zip(middle, sides, strict=True)
-        ),
-        tuple(simplest_between(x, x + x * _SHORT) for x in sides),
-    )
+    pairs = [(x, x * _SHORT) for x in sides]
+    middles = (simplest_between(m - r, m + r) for m, (_, r) in zip(middle, pairs, strict=True))
+    return tuple(middles), tuple(simplest_between(x, x + r) for x, r in pairs)
 
 
 def _inside(piece: Piece, middle: RationalVector, half: RationalVector) -> Polyhedron | None:
     """Return the part of a piece in the box, in its coordinates."""
-
     shape, unit = piece.polyhedron, lcm(*(x.denominator for x in (*middle, *half)))
     start, sides = ([int(unit * x) for x in numbers] for numbers in (middle, half))
-    volume = prod(sides)
 
     def moved(row: IntegerVector) -> IntegerVector:
         return reduced([*map(mul, row, sides), dot(row, (*start, unit))])
 
-    def place(point: IntegerVector) -> IntegerVector:
-        *x, w = point
-        steps = zip(x, start, sides, strict=True)
-        return reduced([*((unit * p - w * m) * (volume // h) for p, m, h in steps), volume * w])
-
-    rows = sorted(map(moved, shape.inequalities))
-    points = sorted(map(place, shape.homogeneous[0])) if shape.bounded else []
-    if shape.dimension == 3 and points and all(max(map(abs, p[:3])) < p[3] for p in points):
-        return Polyhedron(tuple(rows), (), (tuple(points), ()))
-    walls = [tuple(-x for x in row) for row in WALLS]
-    return from_conditions([*rows, *walls], map(moved, shape.equalities), 3)
+    return from_conditions(
+        [*map(moved, shape.inequalities), *_INWARD], map(moved, shape.equalities), 3
+    )
 
 
 def box_text(grasp: Grasp, box: WrenchBox) -> str:
@@ -216,15 +209,6 @@ def box_text(grasp: Grasp, box: WrenchBox) -> str:
         for name, m, h in zip(NAMES, box.middle, box.half, strict=True)
     ]
     return f"box: {', '.join(texts)}{units}"
-
-
-def box_edges() -> Iterator[tuple[Floats, tuple[int, tuple[int, ...]]]]:
-    """Yield the ends of the edges of the box, each with its axis and its sides of the others."""
-    for axis in range(3):
-        for sides in product((-1, 1), repeat=2):
-            ends = np.zeros((2, 3))
-            ends[:, axis], ends[:, [k for k in range(3) if k != axis]] = (-1, 1), sides
-            yield ends, (axis, sides)
 
 
 #: Room around the box for numbers and names, in points.
@@ -289,11 +273,6 @@ def _maths(text: str) -> str:
     return re.sub("f_[xy]|τ", lambda name: f"${name[0]}$".replace("τ", r"\tau"), text)
 
 
-def _lit(normal: Floats) -> str:
-    """Return the colour of a face of the set, by the angle to the light."""
-    return pale(SOLID, 0.45 * light(normal))
-
-
 class _WrenchSetPicture(SolidSheet):
     """The picture of the set."""
 
@@ -312,25 +291,24 @@ class _WrenchSetPicture(SolidSheet):
             self._mark(applied)
 
     def _describe(self, legend: Legend, applied: Any) -> None:
+        box, units = self.box, self.grasp.units
         explain_error(legend, self.grasp)
-        if not self.box.shapes:
+        if not box.shapes:
             legend.line("nothing is resisted")
-        legend.line(_maths(box_text(self.grasp, self.box)))
+        legend.line(_maths(box_text(self.grasp, box)))
         if applied is not None:
-            held = self.box.resists(applied)
-            legend.key(
-                symbol("resisted" if held else "refused"), wrench_text(applied, self.grasp.units)
-            )
-        solid = any(shape.dimension > 1 for shape in self.box.shapes)
-        if self.box.filled:
+            kind = "resisted" if box.resists(applied) else "refused"
+            legend.key(symbol(kind), wrench_text(applied, units))
+        if box.filled:
             text = "every wrench in the box is resisted; the set continues beyond it"
             legend.key(symbol(CUT), text)
             return
-        if self.box.shapes:
+        if box.shapes:
+            solid = any(shape.dimension > 1 for shape in box.shapes)
             legend.key(symbol(SOLID if solid else "border"), "resisted wrenches")
-        if any(p.row in WALLS for node in self.box.tree for p in node.patches):
+        if any(patch.row in WALLS for patch in box.patches):
             legend.key(symbol(f"{CUT} hatched"), "cut by the box; the set continues beyond it")
-        elif self.box.endless:
+        elif box.endless:
             legend.line("what reaches the box continues beyond it")
 
     def _set(self) -> None:
@@ -342,19 +320,15 @@ class _WrenchSetPicture(SolidSheet):
                 count += 1
                 self._patch(patch, count, z)
             for patch in seen:
-                wall = patch.row in WALLS
-                style = {"ec": GREY, "lw": 0.35} if wall else {"ec": BLACK, "lw": 0.8}
-                kind = patch.name or "edge"
-                if kind == "axis":
-                    style = {"ec": GREY, "lw": 0.5}
-                elif len(patch.corners) == 2:
-                    style["lw"] = 1.5
                 for edge in patch.edges:
-                    on_wall = any(all(dot(row, p) == 0 for p in edge) for row in WALLS)
-                    cut = {"ec": GREY, "lw": 0.35} if kind != "axis" and on_wall else {}
-                    look: dict[str, Any] = {"gid": f"{kind}-{count}", "capstyle": "round"}
-                    self.scene.line(self.at_exact(edge), zorder=z, **{**style, **cut}, **look)
-                if len(patch.corners) > 2 and not wall:
+                    style: dict[str, Any] = {"ec": BLACK, "lw": 0.8 if any(patch.row) else 1.5}
+                    if patch.name:
+                        style = {"ec": GREY, "lw": 0.5}
+                    elif any(all(dot(row, p) == 0 for p in edge) for row in WALLS):
+                        style = {"ec": GREY, "lw": 0.35}
+                    style |= {"capstyle": "round", "gid": f"{patch.name or 'edge'}-{count}"}
+                    self.scene.line(self.at_exact(edge), zorder=z, **style)
+                if len(patch.corners) > 2 and patch.row not in WALLS:
                     self._fade(patch, z)
 
     def _patch(self, patch: Patch, count: int, z: float) -> None:
@@ -365,99 +339,84 @@ class _WrenchSetPicture(SolidSheet):
             return
         wall = patch.row in WALLS
         normal = self.axes @ unit_vectors([patch.row[:3]])[0]
-        normal *= math.copysign(1, normal[2])
-        fill = pale(_lit(normal), _CUT_WHITE) if wall else _lit(normal)
+        fill = pale(SOLID, 0.45 * light(normal * math.copysign(1, normal[2])))
+        fill = pale(fill, _CUT_WHITE) if wall else fill
         look: dict[str, Any] = {"gid": f"{'wall' if wall else 'facet'}-{count}", "role": "region"}
         self.scene.polygon(corners, fc=fill, ec=fill, lw=0.3, zorder=z, joinstyle="round", **look)
         if wall:
             self.scene.polygon(corners, fc="none", ec="#b5bcc3", lw=0, hatch="///", zorder=z)
 
     @cached_property
-    def _cuts(self) -> dict[tuple[int, ...], list[tuple[int, int]]]:
-        """The walls, as axis and side, that cut what the set has in each plane."""
-        places: dict[tuple[int, ...], list[Floats]] = {}
-        for patch in (p for node in self.box.tree for p in node.patches if len(p.corners) > 2):
-            places.setdefault(patch.row, []).append(float_points(patch.corners))
-        corners = {row: np.concatenate(parts) for row, parts in places.items()}
-        sides = list(product(range(3), (1, -1)))
+    def _cuts(self) -> dict[IntegerVector, list[Floats]]:
+        """The normals of the walls that cut what the set has in each plane."""
+        corners: dict[IntegerVector, list[IntegerVector]] = {}
+        for patch in self.box.patches:
+            corners.setdefault(patch.row, []).extend(patch.corners)
+        heights = {row: float_points(points) @ _NORMALS.T for row, points in corners.items()}
         return {
-            row: [
-                (axis, side)
-                for axis, side in sides
-                if (side * at[:, axis]).max() > 1 - 1e-9 and (side * at[:, axis]).min() <= 1 - _FADE
-            ]
-            for row, at in corners.items()
+            row: list(_NORMALS[(at.max(axis=0) > 1 - 1e-9) & (at.min(axis=0) <= 1 - _FADE)])
+            for row, at in heights.items()
         }
 
     def _fade(self, patch: Patch, z: float) -> None:
         """Fade a face to white towards each wall that cuts its plane."""
         corners = float_points(patch.corners)
-        for axis, side in self._cuts[patch.row]:
+        style: dict[str, Any] = {"fc": "#ffffff", "ec": "none", "alpha": _VEIL, "gid": "fade"}
+        for normal in self._cuts[patch.row]:
             for k in range(_STEPS):
-                part = clipped(corners, side * np.eye(3)[axis], 1 - _FADE * (1 - k / _STEPS))
+                part = clipped(corners, normal, 1 - _FADE * (1 - k / _STEPS))
                 if len(part) > 2:
-                    self.scene.polygon(
-                        self.at(part), fc="#ffffff", ec="none", alpha=_VEIL, zorder=z, gid="fade"
-                    )
+                    self.scene.polygon(self.at(part), zorder=z, **style)
+
+    def _facing(self, edge: Any) -> list[int]:
+        """Return for both walls at an edge of the box how far they face the viewer."""
+        sides = edge.sum(axis=0).tolist()
+        return [s * t for s, t in zip(sides, self.towards, strict=True) if s]
 
     def _frame(self, *, behind: bool) -> None:
         """Draw the edges of the box, those behind the set first."""
-        for k, (ends, (axis, sides)) in enumerate(box_edges()):
-            others = (j for j in range(3) if j != axis)
-            far = any(s * self.towards[j] < 0 for s, j in zip(sides, others, strict=True))
-            if far == behind:
-                style = {"zorder": 1} if behind else {"ls": (0, (4, 3)), "zorder": 4}
-                self.scene.line(
-                    self.at(ends), ec="#a0a0a0", lw=0.4, role="border", gid=f"box-{k}", **style
-                )
+        style: dict[str, Any] = {"zorder": 1} if behind else {"ls": (0, (4, 3)), "zorder": 4}
+        style |= {"ec": "#a0a0a0", "lw": 0.4, "role": "border"}
+        for k, edge in enumerate(_EDGES):
+            if (min(self._facing(edge)) < 0) == behind:
+                self.scene.line(self.at(edge), gid=f"box-{k}", **style)
 
     def _rulers(self) -> None:
         """Number one edge of the box for each axis, on the outline of the picture."""
+        stated = self.grasp.units
         for axis, name in enumerate(NAMES):
-            ends, out = self._ruler(axis)
+            start, end, out = self._ruler(axis)
             for share, text in ticks(self.box.middle[axis], self.box.half[axis]):
-                tick = self.at(ends[0] + (ends[1] - ends[0]) * (share + 1) / 2)
+                tick = self.at(start + (end - start) * (share + 1) / 2)
                 self.scene.line([tick, tick + 2.5 * out], ec=GREY, lw=0.4, zorder=4, role="axis")
-                half_box = np.array(measure(text)) / 2
-                reach = 4 + abs(out[0]) * half_box[0] + abs(out[1]) * half_box[1]
+                reach = 4 + float(np.abs(out) @ measure(text)) / 2
                 self.scene.write(tick + reach * out, text)
-            unit = self.grasp.units and (
-                self.grasp.units.torque if axis == 2 else self.grasp.units.force
-            )
+            unit = stated and (stated.torque if axis == 2 else stated.force)
             text = _maths(name) + (f" ({unit})" if unit else "")
             upright = 90.0 if unit and axis == 2 else 0.0
             beyond = max(0.0, measure(text, rotation=upright)[0] / 2 - 6)
-            place = self.at(ends).mean(axis=0) + 19 * out + (out[0] * beyond, 0)
+            place = self.at([start, end]).mean(axis=0) + 19 * out + (out[0] * beyond, 0)
             self.scene.text(place, text, rotation=upright)
 
-    def _ruler(self, axis: int) -> tuple[Floats, Floats]:
+    def _ruler(self, axis: int) -> tuple[Any, Any, Floats]:
         """Return the ends of the numbered edge, and the direction on paper away from the box."""
-        others = [k for k in range(3) if k != axis]
-        best: tuple[float, Any, Any] | None = None
-        for ends, (own, sides) in box_edges():
-            visible = {s * self.towards[k] > 0 for s, k in zip(sides, others, strict=True)}
-            if own != axis or (len(visible) < 2 and all(self.towards[k] for k in others)):
-                continue
-            ruler = self.at(ends)
-            along = ruler[1] - ruler[0]
-            out = np.array([-along[1], along[0]]) / max(float(np.linalg.norm(along)), 1e-9)
-            middle = ruler.mean(axis=0)
-            out *= math.copysign(1, float(out @ (middle - self.at(np.zeros(3)))))
-            score = float(middle[0] if axis == 2 else middle[1])
-            if best is None or score < best[0]:
-                best = score, ends, out
-        assert best is not None
-        return best[1], best[2]
+        outer = [e for e in _EDGES[4 * axis :][:4] if min(f := self._facing(e)) <= 0 <= max(f)]
+        low = 0 if axis == 2 else 1
+        edge = min(outer, key=lambda edge: self.at(edge).mean(axis=0)[low])
+        ruler = self.at(edge)
+        along = ruler[1] - ruler[0]
+        out = np.array([-along[1], along[0]]) / max(float(np.linalg.norm(along)), 1e-9)
+        away = float(out @ (ruler.mean(axis=0) - self.at(np.zeros(3))))
+        return edge[0], edge[1], out * math.copysign(1, away)
 
     def _mark(self, applied: Any) -> None:
         """Mark a wrench, and the point below it on the floor of the box."""
-        place = self.box.inside(applied)
-        if max(map(abs, place)) > 1:
+        place = np.array(self.box.inside(applied), float)
+        if np.abs(place).max() > 1:
             return
-        held = self.box.resists(applied)
         look: dict[str, Any] = {"lw": 0.5, "zorder": 5, "ls": (0, (1, 1.5)), "role": "line"}
         self.scene.line(self.at([place, [*place[:2], -1.0]]), ec=VERMILION, **look)
-        sign, size, style = MARKS["resisted" if held else "refused"]
+        sign, size, style = MARKS["resisted" if self.box.resists(applied) else "refused"]
         self.scene.mark(self.at(place), sign, size, zorder=6, gid="wrench", **style)
 
 
@@ -495,14 +454,12 @@ def wrench_set_page(
         return page_face(patch, CUT if wall else SOLID, number, sheet=patch.sheet, faint=faint)
 
     zero = box.inside((Fraction(0),) * 3)
-    marks = [
-        ([1.1 if j == k else x for j, x in enumerate(zero)], name) for k, name in enumerate(NAMES)
+    marks: list[tuple[Any, str]] = [
+        ([*zero[:k], 1.1, *zero[k + 1 :]], name) for k, name in enumerate(NAMES)
     ]
     if wrench is not None:
         applied = read_wrench(wrench)
-        held = box.resists(applied)
-        place = box.inside(applied)
-        marks.append((place, "●" if held else "✕"))
+        marks.append((box.inside(applied), "●" if box.resists(applied) else "✕"))
     return SolidPage(
         title if title is not None else f"Wrenches that {number_of} resist",
         box_text(grasp, box),
@@ -513,7 +470,7 @@ def wrench_set_page(
         [node.map_patches(face) for node in box.tree],
         facts,
         [(SOLID, "where resistance ends"), (CUT, "cut by the box, goes on")],
-        [ends for ends, _ in box_edges()],
+        _EDGES,
         marks,
     ).text()
 
@@ -557,8 +514,7 @@ def wrench_set_model(
     parts = []
     for piece, shape in zip(box.pieces, box.shapes, strict=True):
         if shape.dimension == 3:
-            walls = [tuple(-x for x in row) for row in WALLS]
-            colours = tuple(CUT if row in walls else SOLID for row in shape.inequalities)
+            colours = tuple(CUT if row in _INWARD else SOLID for row in shape.inequalities)
             points = half * float_points(shape.homogeneous[0])
             parts.append(
                 ClosedSurface("-".join(piece.states) or "all", points, shape.cycles, colours)
