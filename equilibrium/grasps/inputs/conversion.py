@@ -140,20 +140,21 @@ def snapped(value: Any, tolerance: Any = DEFAULT_TOLERANCE) -> tuple[Fraction, F
 
 
 def assembled(
-    places: Sequence[tuple[RationalVector, Fraction]],
+    points: Sequence[RationalVector],
+    point_errors: Iterable[Fraction],
     normals: Sequence[UnitNormal],
     values: Sequence[dict[str, Any]],
     value_error: Fraction = Fraction(0),
     outline: Outline | None = None,
 ) -> Conversion:
-    """Put contacts together from points with errors, unit normals with errors, and values."""
+    """Put contacts together from points and unit normals, both with errors, and values."""
     contacts = [
         Contact(point, normal.normal, **value)
-        for (point, _), normal, value in zip(places, normals, values, strict=True)
+        for point, normal, value in zip(points, normals, values, strict=True)
     ]
     return Conversion(
         Grasp(contacts, outline=outline),
-        tuple(error for _, error in places),
+        tuple(point_errors),
         tuple(normal.angle_error for normal in normals),
         value_error,
     )

@@ -24,7 +24,6 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from difflib import get_close_matches
-from fractions import Fraction
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard
@@ -211,7 +210,7 @@ def exact_contacts(how: Rounding | None = None) -> Convert:
     used = how or rounding(0, DEFAULT_TOLERANCE, DEFAULT_TOLERANCE, False)
 
     def convert(points: list[Any], normals: list[Any], values: list[dict[str, Any]]) -> Conversion:
-        return converted([(point, Fraction(0)) for point in points], normals, values, used)
+        return converted(points, normals, values, used)
 
     return convert
 

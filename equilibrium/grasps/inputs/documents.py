@@ -6,7 +6,6 @@ import json
 import re
 from collections.abc import Mapping
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
 from arrangement.hints import hints_on_arguments
@@ -96,7 +95,7 @@ def read_any(
     grasp = Grasp.from_dict({**document, "contacts": rounded})
     whole = grasp.joined()
     conversion = converted(
-        [(contact.point, Fraction(0)) for contact in whole],
+        [contact.point for contact in whole],
         [directions[group.start] for group in grasp.groups],
         [{name: getattr(contact, name) for name in _WITH_MARK} for contact in whole],
         rounding(0, tolerance, angle_tolerance, as_given),

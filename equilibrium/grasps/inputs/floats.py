@@ -94,7 +94,7 @@ def from_float_data(
     check_number(len(directions), len(places))
     bound = from_float(tolerance, "tolerance")
     how = rounding(bound, bound, angle_tolerance, as_given)
-    size = max((abs(x) for point, _ in places for x in point), default=Fraction(0))
+    size = max((abs(x) for place in places for x in place), default=Fraction(0))
     if bound / 10**6 < size <= bound:  # smaller ones are errors of floats
         raise GraspError(
             f"the largest coordinate is {number_text(size)}, which is 0 within the tolerance "
@@ -131,12 +131,11 @@ def _unit(columns: Iterable[list[Fraction]]) -> Fraction:
     return min([Fraction(1), *filter(None, sizes)])
 
 
-def _place(point: Any, index: int) -> tuple[RationalVector, Fraction]:
-    """Return a point of floats, not changed yet."""
+def _place(point: Any, index: int) -> RationalVector:
     coordinates = rational_vector(point, f"points[{index}]", _real)
     if len(coordinates) not in (2, 3):
         raise GraspError(f"points[{index}] has {len(coordinates)} coordinates; give two or three")
-    return coordinates, Fraction(0)
+    return coordinates
 
 
 def read_float_data(

@@ -150,7 +150,6 @@ def rounded_contacts(
     if not (how.keep and how.error and plain and len(points) > 1):
         return places, [how.normal(d, d, str(i)) for i, d in enumerate(directions)], ()
     work = _Work(points, places, directions, how)
-    work.settle()
     pairs = zip(chain(*points), chain(*work.places), strict=True)
     if how.snap > how.error / 100 and max(abs(x - y) for x, y in pairs) > how.error:
         return rounded_contacts(points, directions, replace(how, snap=how.snap / 8))
@@ -158,39 +157,40 @@ def rounded_contacts(
 
 
 def converted(
-    places: Sequence[tuple[RationalVector, Fraction]],
+    points: Sequence[RationalVector],
     directions: Iterable[Any],
     values: Sequence[dict[str, Any]],
     how: Rounding,
     value_error: Fraction = Fraction(0),
     value_bound: Fraction = Fraction(0),
     outline: Outline | None = None,
+    point_errors: Sequence[Fraction] = (),
 ) -> Conversion:
     """Return contacts with rounded normals, and points where `how` asks for it or as they follow.
 
     Args:
-        places: points, with the changes already made.
         directions: normals of any length.
         value_error, value_bound: made, and the largest.
+        point_errors: changes of the points already made, if any.
     """
     wanted = [
         rational_vector(direction, f"normals[{i}]", from_float)
         for i, direction in enumerate(directions)
     ]
     normals = unit_normals(wanted, how.angle)
-    check_number(len(normals), len(places))
-    points = [point for point, _ in places]
+    check_number(len(normals), len(points))
     sizes = {len(vector) for vector in (*points, *wanted)}
     exact = not how.snap and not any(normal.angle_error for normal in normals)
     kept: tuple[ContactIncidence, ...] = ()
-    moved = points
+    moved = list(points)
     if not exact and len(sizes) == 1:
         moved, normals, kept = rounded_contacts(points, wanted, how)
-    changed = [
-        (new, error + max(map(abs, difference(new, old))))
-        for new, old, (_, error) in zip(moved, points, places, strict=True)
+    before = point_errors or [Fraction(0)] * len(points)
+    errors = [
+        error + max(map(abs, difference(new, old)))
+        for new, old, error in zip(moved, points, before, strict=True)
     ]
-    conversion = assembled(changed, normals, values, value_error, outline)
+    conversion = assembled(moved, errors, normals, values, value_error, outline)
     if not conversion.exact:
         # Incidences may have moved numbers by more than the rounding alone does.
         length = max(how.error if how.keep else how.snap, *conversion.point_errors)
@@ -251,6 +251,8 @@ def other_rounding(subject: Subject, seed: int) -> Subject:
 class _Work:
     """Contacts whose incidences are found, then settled one after the other.
 
+    First the normals are rounded, then points move as far as incidences demand.
+
     Attributes:
         leader, turn: of each contact, the one whose normal it has, and after how many quarter turns
             (in space half turns).
@@ -276,22 +278,21 @@ class _Work:
         self.kept: list[ContactIncidence] = []
         self.base: dict[int, RationalVector] = {}
         self.height: dict[int, Fraction] = {}
-        self.classes = list(self._parallel())
-        lines = [line for members in self.classes for line in self._lines(members)]
+        classes = self._parallel()
+        lines = [line for members in classes for line in self._lines(members)]
         self.line = {i: line[0] for line in lines for i in line}
         self.lines = {line[0]: line for line in lines}
-
-    def settle(self) -> None:
-        """Round the normals, then move the points as far as incidences demand."""
+        # How many lines that meet are not an accident.
+        self.least = 3 if self.n == 2 else 2
         clusters = [*self._equal_points(), *self._meeting(list(self.lines))]
         self.normals = self._normals(clusters)
         for members, centre in clusters:
             self._meet(members, centre)
-        for line in self.lines.values():
+        for line in lines:
             if len(line) > 1:
                 self.base.setdefault(line[0], self.places[line[0]])
                 self.kept.append(ContactIncidence("line", tuple(line)))
-        for members in self.classes:
+        for members in classes:
             if len(members) > 1:
                 self.kept.append(ContactIncidence("parallel", tuple(members)))
                 self._levels(members)
@@ -300,8 +301,8 @@ class _Work:
             rest = self.height.get(i, dot(normal.normal, place)) - dot(normal.normal, base)
             self.places[i] = tuple(b + rest * x for b, x in zip(base, normal.normal, strict=True))
 
-    def _parallel(self) -> Iterator[list[int]]:
-        """Yield classes of parallel or opposite normals; in the plane square ones share numbers."""
+    def _parallel(self) -> list[list[int]]:
+        """Return the classes of parallel normals; square ones in the plane share numbers."""
         self.leader, self.turn = list(range(self.m)), [0] * self.m
         groups: dict[tuple[int, int], list[int]] = {}
         leaders: list[int] = []
@@ -316,7 +317,7 @@ class _Work:
                 leaders.append(i)
             axis = self.turn[i] % 2 if self.n == 2 else 0
             groups.setdefault((self.leader[i], axis), []).append(i)
-        yield from groups.values()
+        return list(groups.values())
 
     def _lines(self, left: list[int]) -> Iterator[list[int]]:
         """Yield the contacts of a parallel class by the line along their normals."""
@@ -351,7 +352,7 @@ class _Work:
             depth = np.einsum("cki,ki->ck", away, along)
             miss = np.linalg.norm(away - depth[..., None] * along, axis=-1)
             near = miss <= np.maximum(self.error, self.angle * np.abs(depth))
-            for j in np.flatnonzero(near.sum(axis=1) >= self._least):
+            for j in np.flatnonzero(near.sum(axis=1) >= self.least):
                 chosen = tuple(np.flatnonzero(near[j]).tolist())
                 if chosen not in meeting:
                     # The point of least squares of the distances.
@@ -361,11 +362,6 @@ class _Work:
                     meeting[chosen] = np.linalg.lstsq(square.sum(axis=0), right, rcond=None)[0]
         for chosen in sorted(meeting, key=len, reverse=True):
             yield [i for k in chosen for i in self.lines[lines[k]]], meeting[chosen]
-
-    @property
-    def _least(self) -> int:
-        """How many lines that meet are not an accident."""
-        return 3 if self.n == 2 else 2
 
     def _normals(self, clusters: list[tuple[list[int], Floats]]) -> list[UnitNormal]:
         shared = [leader for i, leader in enumerate(self.leader) if i != leader]
@@ -413,15 +409,15 @@ class _Work:
         if settled:
             normal, base = self.normals[settled[0]].normal, self.base[self.line[settled[0]]]
             height = dot(normal, difference(centre, base))
-            other = next((i for i in settled if any(self._miss(i, base))), None)
-            if other is not None and self.n == 2:
-                x, y = self.normals[other].normal
-                across, apart = (-y, x), difference(self.base[self.line[other]], base)
+            others = [i for i in settled if any(self._miss(i, base))]
+            if others and self.n == 2:
+                x, y = self.normals[others[0]].normal
+                across, apart = (-y, x), difference(self.base[self.line[others[0]]], base)
                 if not dot(across, normal):
                     return
                 height = dot(across, apart) / dot(across, normal)
-            elif other is None:
-                height = Fraction(0) if len(settled) > 1 else height
+            elif len(settled) > 1 and not others:
+                height = Fraction(0)
             centre = tuple(b + height * x for b, x in zip(base, normal, strict=True))
         if not _within(centre, wanted, self.how.error):
             return
@@ -429,7 +425,7 @@ class _Work:
         lines = {self.line[i] for i in kept}
         point = all(_within(self.points[i], centre, self.how.error) for i in kept)
         known = any(set(kept) <= set(old.contacts) and old.at == centre for old in self.kept)
-        if known or len(lines) < (2 if point else self._least):
+        if known or len(lines) < (2 if point else self.least):
             return
         for line in lines:
             self.base.setdefault(line, centre)
@@ -441,21 +437,17 @@ class _Work:
         radii = [dot(self.normals[i].normal, difference(centre, self.points[i])) for i in members]
         even = [x if abs(x) > bound else Fraction(0) for x in radii]
         even = [y and x for x, y in zip(equal_numbers(even, bound, self.how), even, strict=True)]
-        kind, largest = "meet", Fraction(0)
         for radius in dict.fromkeys(map(abs, even)):
-            group = [(i, x) for i, x in zip(members, even, strict=True) if abs(x) == radius]
-            if len(group) == 1 or any(i in self.height for i, _ in group):
+            group = {i: x for i, x in zip(members, even, strict=True) if abs(x) == radius}
+            if len(group) == 1 or group.keys() & self.height.keys():
                 continue
-            for i, x in group:
+            for i, x in group.items():
                 self.height[i] = dot(self.normals[i].normal, centre) - x
+            kind, on = "round" if radius else "point", tuple(sorted(group))
+            self.kept.append(ContactIncidence(kind, on, centre, radius))
             if len(group) == len(members):
-                kind, largest = "round" if radius else "point", radius
-            else:
-                on = tuple(sorted(i for i, _ in group))
-                self.kept.append(
-                    ContactIncidence("round" if radius else "point", on, centre, radius)
-                )
-        self.kept.append(ContactIncidence(kind, tuple(sorted(members)), centre, largest))
+                return
+        self.kept.append(ContactIncidence("meet", tuple(sorted(members)), centre))
 
     def _miss(self, i: int, point: RationalVector, base: RationalVector = ()) -> RationalVector:
         """Return how a point misses the line of a contact, settled or through its own point."""

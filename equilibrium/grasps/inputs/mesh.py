@@ -162,17 +162,19 @@ def on_mesh(
     if not chosen:
         raise GraspError("no contacts are requested; give points (--at) or a number (--random)")
     places, facets = zip(*chosen, strict=True)
+    points, errors = zip(*places, strict=True)
     inward: Sequence[Sequence[float | Fraction]]
     if smooth:
-        inward = _smooth_inward(surface, facets, [point for point, _ in places])
+        inward = _smooth_inward(surface, facets, points)
     else:
         inward = [surface.exact_inward(facet) for facet in facets]
     return converted(
-        places,
+        points,
         inward,
         contact_values(len(chosen), friction, stiffness, preload),
         rounding(0, _FINE * Fraction(surface.size), angle_tolerance, as_given),
         outline=surface.outline(),
+        point_errors=errors,
     )
 
 

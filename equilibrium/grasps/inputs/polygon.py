@@ -75,15 +75,12 @@ def on_circle(
     inward = unit_normals(
         [tuple(-x for x in direction_of(Fraction(angle))) for angle in wanted], angle_tolerance
     )
-    places = [
-        (
-            tuple(c - size * n for c, n in zip(middle, normal.normal, strict=True)),
-            size * abs(normal.angle_error),
-        )
-        for normal in inward
+    points = [
+        tuple(c - size * n for c, n in zip(middle, normal, strict=True)) for normal, _ in inward
     ]
-    values = contact_values(len(places), friction, stiffness, preload)
-    return assembled(places, inward, values, outline=Circle(middle, size))
+    errors = [size * abs(error) for _, error in inward]
+    values = contact_values(len(points), friction, stiffness, preload)
+    return assembled(points, errors, inward, values, outline=Circle(middle, size))
 
 
 def _degrees(value: Any, name: str) -> float:
@@ -153,7 +150,7 @@ def from_polygon(
         along = difference(corners[(edge + 1) % len(corners)], corners[edge])
         directions.append((-inside * along[1], inside * along[0]))
     return converted(
-        [(point, Fraction(0)) for _, point in on_edges],
+        [point for _, point in on_edges],
         directions,
         contact_values(len(on_edges), friction, stiffness, preload, adhesion),
         rounding(0, tolerance, angle_tolerance, as_given),
