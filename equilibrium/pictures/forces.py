@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from fractions import Fraction
-from typing import Any
+
+import numpy as np
 
 from arrangement.console.number_form import LABEL
 from arrangement.console.progress import watched
@@ -16,7 +17,6 @@ from arrangement.drawing.views import Exact, picture
 from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget
 from arrangement.numbers.exact import RationalVector, rational
-from arrangement.numbers.linear.intervals import Interval
 from equilibrium.methods.compare import Comparison, check_cost, compare
 from equilibrium.methods.registry import METHODS, WITH_REGION, method_named
 from equilibrium.model.errors import GraspError
@@ -28,13 +28,14 @@ from equilibrium.wrench_sets.slice import resisted_region
 
 from .panel import (
     ROOM,
+    SQUARE,
+    ZERO,
     Panel,
     PlaneQuestion,
     Window,
     ends,
     explain_borders,
     explain_error,
-    fill_of,
     joint_window,
     read_extent,
     row_of_panels,
@@ -47,6 +48,7 @@ from .style import (
     SHADE,
     SYMBOLS,
     Wrench,
+    explain,
     symbol,
     wrench_text,
 )
@@ -98,11 +100,10 @@ def _describe(
     if applied is not None:
         resisted = region.contains(applied[:2])
         legend.key(symbol("resisted" if resisted else "refused"), wrench_text(applied, grasp.units))
-    counts = sorted({min(s.count("stick"), len(FILLS) - 1) for s in states})
-    for count in counts:
-        example = next(s for s in states if min(s.count("stick"), len(FILLS) - 1) == count)
-        more = any(s.count("stick") > count for s in states) and count == len(FILLS) - 1
-        legend.key(symbol(fill_of(example)), f"{count}{' or more' if more else ''} stick")
+    most, sticking = len(FILLS) - 1, [s.count("stick") for s in states]
+    for count in sorted({min(k, most) for k in sticking}):
+        more = " or more" if max(sticking) > count == most else ""
+        legend.key(symbol(FILLS[count]), f"{count}{more} stick")
     if any("detached" in p.states for p in region.polygons if p.polyhedron.dimension == 2):
         legend.key(symbol("#ffffff hatched"), "some detached")
     explain_borders(legend, [region], question.half is None)
@@ -271,30 +272,25 @@ def draw_methods(grasp: Grasp, *, wrenches: Iterable[Wrench], width: float = 88.
         raise GraspError("there is no wrench; give at least one")
     budget.check_size(len(questions), "wrenches in a picture")
     answers = [compare(grasp, wrench) for wrench in questions]
-    names = [answer.method for answer in answers[0].answers]
     heads = [LABEL.vector(wrench) for wrench in questions]
     above = max(measure(head)[0] for head in heads) + 3.0 * POINTS
-    height = above + _ROW * len(names) + 2.0 * POINTS
+    height = above + _ROW * len(answers[0].answers) + 2.0 * POINTS
     scene = Scene(width, height / POINTS)
-    _paint(scene, [METHODS[name].label for name in names], heads, answers, height - above)
-    legend = scene.legend
-    explain_error(legend, grasp)
-    legend.key(symbol("accepted"), "predicts stable")
-    legend.key(symbol("refusal"), "predicts unstable")
-    if any(entry.accepts is None for answer in answers for entry in answer.answers):
-        legend.key(symbol("silence"), "no prediction")
-    if any(answer.disagreeing for answer in answers):
-        legend.key(symbol(_TINT), "differs from the full model")
+    _paint(scene, heads, answers, height - above)
+    explain_error(scene.legend, grasp)
+    silent = any(entry.accepts is None for answer in answers for entry in answer.answers)
+    keys = {
+        ("accepted", "predicts stable"): True,
+        ("refusal", "predicts unstable"): True,
+        ("silence", "no prediction"): silent,
+        (_TINT, "differs from the full model"): any(answer.disagreeing for answer in answers),
+    }
+    explain(scene.legend, keys)
     return scene
 
 
-def _paint(
-    scene: Scene,
-    titles: Sequence[str],
-    heads: Sequence[str],
-    answers: Sequence[Comparison],
-    top: float,
-) -> None:
+def _paint(scene: Scene, heads: Sequence[str], answers: Sequence[Comparison], top: float) -> None:
+    titles = [METHODS[entry.method].label for entry in answers[0].answers]
     left = _SIDE + max(measure(title)[0] for title in titles) + 2.0 * POINTS
     column = min((scene.width - left - _SIDE) / len(heads), 12.0 * POINTS)
     for i, title in enumerate(titles):
@@ -302,17 +298,14 @@ def _paint(
         weight = "bold" if i == 0 else "normal"
         scene.text((_SIDE, y), title, ha="left", va="center_baseline", weight=weight)
         for j, answer in enumerate(answers):
-            entry, x = answer.answers[i], left + (j + 0.5) * column
+            entry, place = answer.answers[i], np.array([left + (j + 0.5) * column, y])
             if entry.method in answer.disagreeing:
-                corners = [
-                    (x + a * column / 2, y + b * _ROW / 2)
-                    for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))
-                ]
-                scene.polygon(corners, fc=_TINT, ec="none", gid=f"differs-{i + 1}-{j + 1}")
+                field = place + SQUARE * (column / 2, _ROW / 2)
+                scene.polygon(field, fc=_TINT, ec="none", gid=f"differs-{i + 1}-{j + 1}")
             sign, size, style = MARKS[_ANSWERS[entry.accepts]]
-            scene.mark((x, y), sign, size, zorder=3, gid=f"cell-{i + 1}-{j + 1}", **style)
+            scene.mark(place, sign, size, zorder=3, gid=f"cell-{i + 1}-{j + 1}", **style)
     for j, head in enumerate(heads):
-        place = left + (j + 0.5) * column, top + 1.5 * POINTS
+        place = np.array([left + (j + 0.5) * column, top + 1.5 * POINTS])
         scene.text(place, head, rotation=90, va="bottom")
     right = left + column * len(heads)
     for i in (0, 1, len(titles)):
@@ -353,7 +346,7 @@ def draw_polar(
     radius = read_extent(extent) or _radius(grasp, region)
     step = radius / 1000 if tolerance is None else rational(tolerance, "tolerance")
     search = search_map(grasp, rays, step, 1000 * radius)
-    window = Window((Fraction(0), Fraction(0)), radius)
+    window = Window(ZERO, radius)
     scene, (panel,) = row_of_panels(1, window, width, grasp)
     _describe_polar(search.entries, region, scene.legend)
     panel.title(f"largest resisted force in {rays} directions", above=8.0)
@@ -380,14 +373,13 @@ def _mark(panel: Panel, index: int, entry: Entry) -> None:
     sign, size, style = MARKS["dot" if entry.agrees else "cross"]
     place = _at(panel, entry.direction, entry.found)
     scene.mark(place, sign, size, zorder=6, gid=gid, **style)
-    kinds: tuple[tuple[str, tuple[Interval, ...], Any], ...] = (
-        ("claimed", entry.wrongly_claimed, (0, (2, 1.2))),
-        ("missed", entry.missed, "solid"),
-    )
-    for kind, parts, dashes in kinds if not entry.agrees else ():
-        for k, part in enumerate(parts):
+    if entry.agrees:
+        return
+    for kind, parts in (("claimed", entry.wrongly_claimed), ("missed", entry.missed)):
+        dashes = (0, (2, 1.2)) if kind == "claimed" else "solid"
+        for k, part in enumerate(parts, 1):
             line, gid = [_at(panel, entry.direction, end) for end in part], panel.gid(kind, index)
-            scene.line(line, ec=VERMILION, lw=1.1, ls=dashes, zorder=5, gid=f"{gid}-{k + 1}")
+            scene.line(line, ec=VERMILION, lw=1.1, ls=dashes, zorder=5, gid=f"{gid}-{k}")
 
 
 def _at(panel: Panel, direction: RationalVector, magnitude: Fraction | None) -> Floats:
@@ -397,19 +389,16 @@ def _at(panel: Panel, direction: RationalVector, magnitude: Fraction | None) -> 
     return panel.at(panel.window.paper([reach * x for x in direction]))
 
 
-def _describe_polar(entries: Iterable[Entry], region: Region, legend: Legend) -> None:
-    listed = list(entries)
-    wrong = [entry for entry in listed if not entry.agrees]
-    legend.line(f"the binary search is wrong in {len(wrong)} of {len(listed)} directions")
+def _describe_polar(entries: Sequence[Entry], region: Region, legend: Legend) -> None:
+    wrong = [entry for entry in entries if not entry.agrees]
+    legend.line(f"the binary search is wrong in {len(wrong)} of {len(entries)} directions")
     legend.key(symbol(SHADE), "resisted (exact)")
     explain_borders(legend, [region], fades=False)
-    if len(wrong) < len(listed):
-        legend.key(symbol("dot"), "search is correct")
-    if any(entry.found is None for entry in listed):
-        legend.key(symbol("rim"), "rim: unbounded")
-    if wrong:
-        legend.key(symbol("cross"), "search is wrong")
-    if any(entry.wrongly_claimed for entry in wrong):
-        legend.key(symbol("claimed"), "wrongly claimed")
-    if any(entry.missed for entry in wrong):
-        legend.key(symbol("missed"), "missed")
+    keys = {
+        ("dot", "search is correct"): len(wrong) < len(entries),
+        ("rim", "rim: unbounded"): any(entry.found is None for entry in entries),
+        ("cross", "search is wrong"): wrong,
+        ("claimed", "wrongly claimed"): any(entry.wrongly_claimed for entry in wrong),
+        ("missed", "missed"): any(entry.missed for entry in wrong),
+    }
+    explain(legend, keys)

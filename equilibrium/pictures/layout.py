@@ -31,7 +31,7 @@ from equilibrium.model.contact import Contact
 from equilibrium.model.labels import Units
 
 from .body import Frame
-from .style import CONE_EDGE, CONE_FILL, explain_scale, mark, name_wrench, nice_near, symbol
+from .style import CONE_EDGE, CONE_FILL, explain, explain_scale, mark, name_wrench, nice_near
 
 #: Lengths on paper, where contacts and outlines fill [-1, 1]: the largest force, the arc of a
 #: torque, the largest displacement, half a pad, room around a contact.
@@ -169,31 +169,25 @@ class PlaneLayout:
 
     def content(self) -> Floats:
         """Return points whose box holds all that is drawn but labels."""
-        held = [np.array([body.middle]) for body in self.bodies]
-        held += [] if self.origin is None else [np.array([self.origin])]
+        corner, near_by = 1.3 * ARC * self.detail * np.ones(2), NEAR * self.detail
+        held: list[Floats] = [*(body.middle for body in self.bodies), *self.cones]
+        held += [place for place in (self.origin, *self.threads) if place is not None]
         for body in self.bodies:
             if body.curve is not None:
                 held.append(curve_points(body.curve))
                 if self.moves(body):
                     held.append(self.displaced(body, held[-1]))
-        held += self.cones
-        held += [np.array([end]) for end in self.threads if end is not None]
         for p, n, preload, arms in zip(
             self.places, self.normals, self.preloads, self.arms, strict=True
         ):
-            near_by = NEAR * self.detail
             t = near_by * np.array([-n[1], n[0]])
-            held.append(np.array([p - max(preload, near_by) * n, p - t, p + t]))
-            held += [np.array([p + arm]) for arm in arms]
+            held += [p - max(preload, near_by) * n, p - t, p + t, *(p + arm for arm in arms)]
         for load in self.loads:
             if load.arm is not None:
-                held.append(np.array([load.place, load.place + load.arm]))
+                held += [load.place, load.place + load.arm]
             if load.turn:
-                corner = 1.3 * ARC * self.detail * np.ones(2)
-                held.append(load.place + np.array([corner, -corner]))
-        if not self.places:
-            held.append(np.array([[-1.0, -1.0], [1.0, 1.0]]))
-        return np.concatenate(held)
+                held += [load.place + corner, load.place - corner]
+        return np.vstack(held if self.places else [*held, np.ones(2), -np.ones(2)])
 
     def scene(self, width: float, tallest: float | None = None) -> tuple[Scene, float]:
         """Return the picture, without legend, and its scale; see `fit_sheet` for its size."""
@@ -210,12 +204,10 @@ class PlaneLayout:
     def explain(self, legend: Legend, motion: str, scale: float, units: Units | None) -> None:
         """Explain the marks of states, the motion, and the scale of forces."""
         states = {state.rstrip("+-") for state in self.states}
-        for name in ("stick", "slip", "detached"):
-            if name in states:
-                legend.key(symbol(name), name)
-        if moving := [body for body in self.bodies if self.moves(body)]:
-            outlined = any(body.curve is not None for body in moving)
-            legend.key(symbol("motion" if outlined else "shift"), motion)
+        moving = [body for body in self.bodies if self.moves(body)]
+        outlined = any(body.curve is not None for body in moving)
+        keys = {(name, name): name in states for name in ("stick", "slip", "detached")}
+        explain(legend, {**keys, ("motion" if outlined else "shift", motion): moving})
         if self.reference:
             force = nice_near(self.reference)
             length = float(force / self.reference) / self.longest * FORCE * self.detail * scale
@@ -234,6 +226,15 @@ class PlanePicture:
         """Return places on paper in points of the scene."""
         points: Floats = self.scale * np.asarray(places) + self.shift
         return points
+
+    def line(self, points: Sequence[Floats] | Floats, gid: str, **style: Any) -> None:
+        """Draw a line that labels avoid."""
+        self.scene.line(points, gid=gid, **style)
+        self.labels.avoid(points)
+
+    def arrow(self, start: Floats, end: Floats, size: float = 1.5, **style: Any) -> None:
+        """Draw an arrow that labels avoid."""
+        self.labels.avoid(arrow(self.scene, start, end, size, **{"ec": "none", **style}))
 
     def bodies(self) -> None:
         """Draw outlines, or links between contacts, as they are and displaced."""
@@ -258,55 +259,47 @@ class PlanePicture:
 
     def _links(self, body: DrawnBody) -> None:
         middle, places = self.at(body.middle), [self.layout.places[i] for i in body.touching]
+        look: dict[str, Any] = {"ec": GREY, "lw": 0.5, "ls": _DASHES, "zorder": 0.5}
         for i, place in zip(body.touching, map(self.at, places), strict=True):
-            look: dict[str, Any] = {"ec": GREY, "lw": 0.5, "ls": _DASHES, "zorder": 0.5}
-            self.scene.line([place, middle], gid=f"link{body.tag}-{i + 1}", **look)
-            self.labels.avoid([place, middle])
+            self.line([place, middle], f"link{body.tag}-{i + 1}", **look)
         if places and self.layout.moves(body):
             ends = self.at(self.layout.displaced(body, np.array(places)))
             for i, start, end in zip(body.touching, self.at(places), ends, strict=True):
                 if np.linalg.norm(end - start) > 1:
-                    look = {"fc": BLUE, "ec": "none", "zorder": 5}
-                    gid = f"motion{body.tag}-{i + 1}"
-                    self.labels.avoid(arrow(self.scene, start, end, gid=gid, **look))
+                    self.arrow(start, end, fc=BLUE, gid=f"motion{body.tag}-{i + 1}", zorder=5)
 
     def contacts(self) -> None:
         """Draw friction cones, pads, preloads, contact forces and states."""
         layout, scene, labels = self.layout, self.scene, self.labels
         seen: dict[RationalVector, int] = {}
+        pad_look: dict[str, Any] = {"ec": BLACK, "lw": 1.6, "role": "point", "zorder": 3}
         for i, ends in enumerate(layout.pads, 1):
-            look: dict[str, Any] = {"ec": BLACK, "lw": 1.6, "role": "point", "zorder": 3}
-            scene.line(self.at(ends), gid=f"bar-{i}", **look)
-            labels.avoid(self.at(ends))
+            self.line(self.at(ends), f"bar-{i}", **pad_look)
         for i, (contact, p, n) in enumerate(
             zip(layout.contacts, self.places, layout.normals, strict=True)
         ):
-            t = np.array([-n[1], n[0]])
+            t, thread = np.array([-n[1], n[0]]), layout.threads[i]
+            look: dict[str, Any] = {"ec": CONE_EDGE, "lw": 0.5}
             if layout.cones:
                 rim = self.at(np.vstack([layout.places[i], layout.cones[i]]))
-                look = {"fc": CONE_FILL, "ec": CONE_EDGE, "lw": 0.5}
-                scene.polygon(rim, zorder=1, gid=f"cone-{i + 1}", **look)
-                look = {"ec": CONE_EDGE, "lw": 0.5, "ls": _AXIS}
-                scene.line([p, rim[len(rim) // 2]], gid=f"normal-{i + 1}", zorder=1.1, **look)
-                labels.avoid([*rim, p], [p, rim[len(rim) // 2]])
-            if (thread := layout.threads[i]) is not None:
-                look = {"ec": BLACK, "lw": 0.8, "zorder": 2.8, "gid": f"thread-{i + 1}"}
-                scene.line([p, self.at(thread)], **look)
-                labels.avoid([p, self.at(thread)])
-            pad = PAD * layout.detail * self.scale * t * (layout.threads[i] is None)
-            look = {"ec": BLACK, "lw": 1.6, "capstyle": "butt", "role": "point"}
-            scene.line([p - pad, p + pad], gid=f"pad-{i + 1}", zorder=3, **look)
-            labels.avoid([p - pad, p + pad])
+                scene.polygon(rim, fc=CONE_FILL, zorder=1, gid=f"cone-{i + 1}", **look)
+                labels.avoid([*rim, p])
+                middle = rim[len(rim) // 2]
+                self.line([p, middle], f"normal-{i + 1}", ls=_AXIS, zorder=1.1, **look)
+            if thread is not None:
+                look = {"ec": BLACK, "lw": 0.8, "zorder": 2.8}
+                self.line([p, self.at(thread)], f"thread-{i + 1}", **look)
+            pad = PAD * layout.detail * self.scale * t * (thread is None)
+            self.line([p - pad, p + pad], f"pad-{i + 1}", capstyle="butt", **pad_look)
             preload = layout.preloads[i] * self.scale
             if preload > 0:
-                away = p - preload * n
                 tip = p - 3.2 * n * (preload > 12)
-                look = {"ec": GREY, "lw": 0.7, "gid": f"preload-{i + 1}", "zorder": 3.5}
-                labels.avoid(arrow(scene, away, tip, 1.6, fc="white", **look))
+                look = {"fc": "white", "ec": GREY, "lw": 0.7, "zorder": 3.5}
+                self.arrow(p - preload * n, tip, 1.6, gid=f"preload-{i + 1}", **look)
             for end, arm in zip(("", "-back"), layout.arms[i], strict=False):
-                look = {"fc": BLACK, "ec": "none", "gid": f"force-{i + 1}{end}", "zorder": 5.5}
-                labels.avoid(arrow(scene, p, p + self.scale * arm, 1.0, **look))
-            if layout.states and (layout.threads[i] is None or layout.states[i] == "detached"):
+                look = {"fc": BLACK, "zorder": 5.5, "gid": f"force-{i + 1}{end}"}
+                self.arrow(p, p + self.scale * arm, 1.0, **look)
+            if layout.states and (thread is None or layout.states[i] == "detached"):
                 # Marks of one body's contacts at one place stand one behind the other.
                 again = seen[contact.point] = seen.get(contact.point, -1) + 1
                 place = p - 7.5 * again * n * (len(layout.bodies) == 1)
@@ -323,8 +316,7 @@ class PlanePicture:
         for load in self.layout.loads:
             (force, torque), o = load.names, self.at(load.place)
             if load.arm is not None:
-                look: dict[str, Any] = {"fc": VERMILION, "ec": "none", "zorder": 5, "gid": force}
-                labels.avoid(arrow(scene, o, o + self.scale * load.arm, **look))
+                self.arrow(o, o + self.scale * load.arm, fc=VERMILION, gid=force, zorder=5)
             if load.turn:
                 turning_arrow(scene, o, reach, load.turn, color=VERMILION, gid=torque, zorder=5)
                 labels.avoid(ring(o, reach, 25), o + reach * np.array([[-1, 0], [1, 0]]))

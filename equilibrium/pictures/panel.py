@@ -37,7 +37,7 @@ from equilibrium.plane.states.contact_states import States
 from equilibrium.wrench_sets import Region, Segment, polygon_cycle
 
 from .body import Frame, middle_of
-from .style import FILLS, MARKS, SHADE, SYMBOLS, Wrench, nearest_float, symbol, ticks
+from .style import FILLS, MARKS, SHADE, SYMBOLS, Wrench, explain, nearest_float, ticks
 
 ZERO: RationalVector = (Fraction(0), Fraction(0))
 #: How far the window reaches beyond what it holds, as a share of its spread.
@@ -413,12 +413,13 @@ def explain_error(legend: Legend, grasp: Grasp) -> None:
 def explain_borders(legend: Legend, regions: Sequence[Region], fades: bool) -> None:
     """Explain lines, points and faded edges of regions."""
     outlines = [region.outline for region in regions]
-    if any(outline.border or outline.whiskers for outline in outlines):
-        legend.key(symbol("border"), "boundary")
-    if any(outline.points for outline in outlines):
-        legend.key(symbol("accepted"), "resisted: this point alone")
-    if fades and not all(p.polyhedron.bounded for region in regions for p in region.polygons):
-        legend.key(symbol("fade"), "unbounded")
+    shapes = [piece.polyhedron for region in regions for piece in region.polygons]
+    keys = {
+        ("border", "boundary"): any(outline.border or outline.whiskers for outline in outlines),
+        ("accepted", "resisted: this point alone"): any(outline.points for outline in outlines),
+        ("fade", "unbounded"): fades and not all(shape.bounded for shape in shapes),
+    }
+    explain(legend, keys)
 
 
 def read_extent(extent: Exact | None) -> Fraction | None:

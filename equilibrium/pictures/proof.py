@@ -21,7 +21,6 @@ from arrangement.drawing.scene import (
     Scene,
     arc,
     area,
-    arrow,
     checked_width,
     curve_points,
     turning_arrow,
@@ -72,6 +71,7 @@ class ProofMaps:
 
     Attributes:
         angle: of the rotations that are shown; None if regions do not depend on it.
+        shapes: the largest first.
         ranks: the virtual motions, from the one with the largest regions on.
     """
 
@@ -109,6 +109,7 @@ def proof_maps(grasp: Grasp, wrench: Wrench, rotation: Exact | None) -> ProofMap
     for shape in shapes:
         sizes[shape.part.leaf.motion] += area(shape.corners)
     ranks = {motion: i for i, motion in enumerate(sorted(sizes, key=lambda m: -sizes[m]))}
+    shapes.sort(key=lambda shape: -area(shape.corners))
     return ProofMaps(verdict, regions, angle, window, shapes, ranks)
 
 
@@ -254,7 +255,7 @@ def _map(
     panel: Panel, shapes: list[Shape], ranks: Mapping[RationalVector, int], labels: Labels
 ) -> None:
     """Fill the regions, with the number of their virtual motion where there is room."""
-    for i, shape in enumerate(sorted(shapes, key=lambda s: -area(s.corners))):
+    for i, shape in enumerate(shapes):
         rank, corners = ranks[shape.part.leaf.motion], panel.at(shape.corners)
         fill, gid, text = _fill(rank), panel.gid("region", i), str(rank + 1)
         if len(corners) > 2:
@@ -300,11 +301,9 @@ def _example(
     work = works(verdict.grasp, verdict.wrench, together, verdict.max_displacement)
     load, least, both = map(LABEL.number, (work.load, work.least, work.load + work.least))
     loads = "load and adhesion" if any(verdict.grasp.adhesion_wrench) else "load"
-    for k, text in enumerate(
-        (f"{i + 1}: {loads} {load}, contacts ≥ {least}", f"together ≥ {both}")
-    ):
-        place = middle[0], middle[1] + size / 2 + 12 - 9 * k
-        scene.text(place, text, weight="normal" if k else "bold")
+    place = np.add(middle, (0, size / 2 + 12))
+    scene.text(place, f"{i + 1}: {loads} {load}, contacts ≥ {least}", weight="bold")
+    scene.text(place - (0, 9), f"together ≥ {both}")
     shifts = [shift_at((x, y, r), c.point) for c in verdict.grasp]
     largest = max((abs(v) for shift in shifts for v in shift), default=Fraction(0))
     colours = [
@@ -313,17 +312,14 @@ def _example(
     for k, (shift, start) in enumerate(zip(shifts, drawn.places, strict=True)):
         if any(shift):
             end = start + 2 * MOVED * scale * np.array([float(v / largest) for v in shift])
-            look: dict[str, Any] = {"ec": "none", "gid": f"{name}shift-{k + 1}", "zorder": 7}
-            edge = arrow(scene, start, end, 1.0, fc=colours[k], **look)
-            drawn.labels.avoid(edge)
+            drawn.arrow(start, end, 1.0, fc=colours[k], gid=f"{name}shift-{k + 1}", zorder=7)
     if r:
         frame, centre = layout.frame, (-y / r, x / r)
         far = max(abs(v - c) for v, c in zip(centre, frame.centre, strict=True)) / frame.half
         if far < 0.9 * half:
             at, reach = drawn.at(frame.paper(centre)), 0.15 * scale
-            turning_arrow(
-                scene, at, reach, 1 if r > 0 else -1, color=BLUE, gid=f"{name}centre", zorder=7
-            )
+            look: dict[str, Any] = {"color": BLUE, "gid": f"{name}centre", "zorder": 7}
+            turning_arrow(scene, at, reach, sign(r), **look)
             scene.mark(at, "o", 2.5, color=BLUE, zorder=7)
             drawn.labels.avoid(curve_points(arc(at, reach, 0, 2 * math.pi)))
     drawn.letter()
@@ -360,17 +356,14 @@ def proof_page(
         GraspError: as for `draw_proof`.
     """
     maps = proof_maps(grasp, wrench, rotation)
-    heading = (
-        f"Why w = {LABEL.vector(maps.verdict.wrench)} is not resisted" if title is None else title
-    )
-    shapes = sorted(maps.shapes, key=lambda shape: -area(shape.corners))
+    load = maps.verdict.wrench
+    heading = f"Why w = {LABEL.vector(load)} is not resisted" if title is None else title
     places = {id(part): i for i, part in enumerate(maps.parts)}
     largest = next(iter(maps.ranks))
-    force = _directions([maps.verdict.wrench[:2]])[0]
     data = {
         "title": heading,
         "summary": "; ".join(summary_lines(maps, len(maps.ranks))),
-        "load": {"force": force, "turn": sign(maps.verdict.wrench[2])},
+        "load": {"force": _directions([load[:2]])[0], "turn": sign(load[2])},
         "stuck": any(maps.verdict.grasp.adhesion_wrench),
         "colours": [pale(plane_colour(i), 0.35) for i in range(len(maps.ranks))],
         "maps": [
@@ -378,13 +371,15 @@ def proof_page(
                 "title": f"centres of {name} motions",
                 "shapes": [
                     {"part": places[id(shape.part)], **_outline(shape.corners)}
-                    for shape in shapes
+                    for shape in maps.shapes
                     if shape.sense == sense
                 ],
             }
             for sense, name in TURNS.items()
         ],
-        "first": next((places[id(s.part)] for s in shapes if s.part.leaf.motion == largest), 0),
+        "first": next(
+            (places[id(s.part)] for s in maps.shapes if s.part.leaf.motion == largest), 0
+        ),
         "half": MAP,
         "question": maps.verdict.verify().question,
         "motions": [_motion(maps, motion) for motion in maps.ranks],
@@ -409,38 +404,34 @@ def _outline(corners: Any) -> dict[str, Any]:
 
 def _motion(maps: ProofMaps, motion: RationalVector) -> dict[str, Any]:
     """Return a virtual motion: in words, by its centre, and at the contacts."""
-    x, y, r = motion
-    shifts = [shift_at(motion, contact.point) for contact in maps.verdict.grasp]
-    centre = None
+    (x, y, r), centre = motion, None
+    words = f"moves the object along {LABEL.vector((x, y))}"
     if r:
         point = (-y / r, x / r)
         words = f"turns the object {TURNS[sign(r)]} about {LABEL.vector(point)}"
         place = maps.window.paper(point)
         centre = floats(MAP * place) if abs(place).max() <= 1 else None
-    else:
-        words = f"moves the object along {LABEL.vector((x, y))}"
     return {
         "text": LABEL.vector(motion),
         "exact": f"({', '.join(map(to_text, motion))})",
         "words": words,
         "turn": sign(r),
         "centre": centre,
-        "shifts": _directions(shifts),
+        "shifts": _directions([shift_at(motion, c.point) for c in maps.verdict.grasp]),
     }
 
 
 def _part(maps: ProofMaps, part: ClosedPart) -> dict[str, Any]:
     """Return a part: its motions, and the numbers of its inequality."""
-    work = works(maps.verdict.grasp, maps.verdict.wrench, [part], maps.verdict.max_displacement)
-    total = work.load + work.least
+    verdict = maps.verdict
+    work = works(verdict.grasp, verdict.wrench, [part], verdict.max_displacement)
+    values = (work.load, work.least, work.load + work.least)
     return {
         "motion": maps.ranks[part.leaf.motion],
         "cone": [f"({', '.join(map(to_text, generator))})" for generator in part.region],
-        "states": [
-            f"{maps.verdict.grasp.point_names[i]} {state}" for i, state in part.states.items()
-        ],
-        "works": [LABEL.number(value) for value in (work.load, work.least, total)],
-        "exact": [to_text(value) for value in (work.load, work.least, total)],
+        "states": [f"{verdict.grasp.point_names[i]} {x}" for i, x in part.states.items()],
+        "works": list(map(LABEL.number, values)),
+        "exact": list(map(to_text, values)),
         "factors": [None if factor is None else LABEL.number(factor) for factor in work.factors],
     }
 

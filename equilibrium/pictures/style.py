@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Annotated, Any, TypeAlias
 
@@ -163,18 +163,23 @@ def symbol(kind: str) -> Symbol:
     return scene.items, WIDTH
 
 
+def explain(legend: Legend, keys: Mapping[tuple[str, str], object]) -> None:
+    """Explain symbols by kind and meaning, of what is shown."""
+    for (kind, text), is_shown in keys.items():
+        if is_shown:
+            legend.key(symbol(kind), text)
+
+
 def explain_grasp(legend: Legend, grasp: Grasp, wrench: RationalVector, forces: bool) -> None:
     """Explain the symbols of friction, preloads, a wrench and contact forces, if any."""
     stuck = any(c.adhesion for c in grasp)
-    shown = {
+    keys = {
         ("cone", "friction cone"): any(c.friction for c in grasp),
         ("preload", "preload"): any(c.preload for c in grasp),
         ("wrench", wrench_text(wrench, grasp.units)): any(wrench),
         ("force", "contact force with adhesion" if stuck else "contact force"): forces,
     }
-    for (kind, text), is_shown in shown.items():
-        if is_shown:
-            legend.key(symbol(kind), text)
+    explain(legend, keys)
 
 
 def explain_scale(legend: Legend, units: Units | None, force: Fraction, length: float) -> None:
