@@ -262,7 +262,7 @@ def spanning_wrench(text: str) -> tuple[Fraction, ...]:
 
 def _let_grow(parser: Any, *options: argparse.Action) -> None:
     """Let options take more numbers, for grasps in space; groups know their parser."""
-    getattr(parser, "_container", parser).variadic.extend(options)
+    getattr(parser, "_container", parser).variadic.update((x, x.nargs) for x in options)
 
 
 def add_number(

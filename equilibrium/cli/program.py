@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
+from functools import cache
 
 from arrangement.console import terminal
 from arrangement.console.options.parser import Parser
@@ -17,6 +18,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     return terminal.run(_parser(), argv)
 
 
+@cache
 def _parser() -> Parser:
     parser = terminal.command_parser(
         "equilibrium",

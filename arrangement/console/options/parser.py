@@ -56,7 +56,7 @@ class Parser(argparse.ArgumentParser):
 
     Attributes:
         lazy_options: adds the options that take time to find out.
-        variadic: options that take at least so many numbers as their ``nargs``.
+        variadic: options that take at least so many numbers, or more.
         arguments: the words that are parsed.
         strays: patterns of words for which there is no place, each with what to write, in which
             ``{}`` stands for the word.
@@ -73,7 +73,7 @@ class Parser(argparse.ArgumentParser):
         super().__init__(**options)
         self._negative_number_matcher = _NEGATIVE_NUMBER
         self.lazy_options: Callable[[], None] | None = None
-        self.variadic: list[argparse.Action] = []
+        self.variadic: dict[argparse.Action, Any] = {}
         self.arguments: Sequence[str] = ()
         self.usual = ""
         self.words: Mapping[str, str] = {}
@@ -101,6 +101,8 @@ class Parser(argparse.ArgumentParser):
         """Parse, with all options; ``--help`` comes through here too."""
         self.arguments = words = sys.argv[1:] if args is None else args
         self._seen = []
+        for option, least in self.variadic.items():
+            option.nargs = least
         self.add_lazy_options()
         arguments, rest = super().parse_known_args(list(self._split_numbers(words)), namespace)
         for word in rest:
@@ -124,7 +126,7 @@ class Parser(argparse.ArgumentParser):
             if option is not None:
                 if option in self.variadic:
                     values = [value, *words[i + 1 :]] if equals else words[i + 1 :]
-                    option.nargs = max(option.nargs, _numbers(values))  # type: ignore[type-var]
+                    option.nargs = max(self.variadic[option], _numbers(values))
                 due = _numbers_after(option)
             if option is not None and due and equals and not re.match(r"-[^.0-9]", value):
                 yield name

@@ -105,7 +105,7 @@ class Option:
         if syntax.variadic:
             # A group knows its parser.
             whole: Parser = getattr(parser, "_container", parser)
-            whole.variadic.append(added)
+            whole.variadic[added] = added.nargs
         return added
 
 
