@@ -23,7 +23,7 @@ import numpy as np
 from arrangement.console.writing import write_bytes_atomically
 from arrangement.library.files.json_files import read_text
 from arrangement.numbers.exact import RationalVector, from_floats, rational, shown
-from equilibrium.grasps.inputs.csv_file import Table, check_header, exact_contacts, read_rows
+from equilibrium.grasps.inputs.csv_file import Table, check_header, read_rows
 from equilibrium.grasps.npz_file import BYTES, REQUIRED, is_npz, read_npz
 from equilibrium.model.contact import VALUES, WRENCH_SIZES
 from equilibrium.model.errors import GraspError
@@ -162,7 +162,7 @@ def read_grasps(path: str) -> ManyGrasps:
     groups = _groups(path, lambda header: check_header(header, (_GRASP,)))
     for rows in groups.values():
         ask_contacts(len(rows))
-    conversions = {name: read_rows(rows, exact_contacts()) for name, rows in groups.items()}
+    conversions = {name: read_rows(rows) for name, rows in groups.items()}
     remarks = ((name, x) for name, conversion in conversions.items() for x in conversion.remarks)
     return ManyGrasps(
         list(conversions),

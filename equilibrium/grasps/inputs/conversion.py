@@ -54,18 +54,18 @@ class ContactIncidence(NamedTuple):
     radius: Fraction = Fraction(0)
 
     def __str__(self) -> str:
-        whose = "contacts " + ", ".join(str(i + 1) for i in self.contacts)
         surface = "sphere" if len(self.at) == 3 else "circle"
-        return {
-            "parallel": f"{whose}: parallel normals",
-            "square": f"{whose}: normals at right angles",
-            "line": f"{whose}: normals on one line",
-            "level": f"{whose}: points at one level along parallel normals",
-            "point": f"{whose}: one point",
-            "meet": f"{whose}: normals meet in {vector_text(self.at)}",
-            "round": f"{whose}: on a {surface} of radius {number_text(self.radius)}, normals meet "
-            f"in its centre {vector_text(self.at)}",
+        what = {
+            "parallel": "parallel normals",
+            "square": "normals at right angles",
+            "line": "normals on one line",
+            "level": "points at one level along parallel normals",
+            "point": "one point",
+            "meet": f"normals meet in {vector_text(self.at)}",
+            "round": f"on a {surface} of radius {number_text(self.radius)}, normals meet in its "
+            f"centre {vector_text(self.at)}",
         }[self.kind]
+        return f"contacts {', '.join(str(i + 1) for i in self.contacts)}: {what}"
 
 
 @dataclass(frozen=True)
@@ -160,8 +160,8 @@ def assembled(
     )
 
 
-#: What a contact may have in a file besides its values, see `completed`.
-EXTRAS = ("pad",)
+#: The radius of a flat patch, which a contact may have in a file besides its values.
+PAD = "pad"
 #: Usual names of what contacts have, in tables and in lists of contacts, in small letters.
 USUAL = by_word("""
     normal_angle normal_direction theta -> angle
@@ -195,35 +195,28 @@ def with_usual_names(entry: Any, name: str) -> Any:
     return renamed
 
 
-def contact_entry(entry: Any, name: str) -> Any:
-    """Return an entry of a list of contacts as a grasp document has it.
+def contact_entries(document: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
+    """Return a list of contacts as a grasp document has it, and apart their pads, 0 of no pad.
 
     Usual names are read, too. Lists of engines have ``position``, ``normal`` and ``force``: the
     normal force, or a vector of which the share along the normal is the preload. ``angle`` in
     degrees stands for a normal in the plane. Anything else is left for whoever reads it.
     """
-    renamed = with_usual_names(entry, name)
-    if not isinstance(renamed, dict):
-        return renamed
-    if "angle" in renamed:
-        if "normal" in renamed:
-            raise GraspError(f"{name} has angle and normal; keep one")
-        direction = direction_of(rational(renamed.pop("angle"), f"{name}: angle"))
-        renamed["normal"] = list(map(to_text, direction))
-    if is_listed(renamed.get("preload")) and is_listed(renamed.get("normal")):
-        renamed["preload"] = to_text(_along(renamed["preload"], renamed["normal"], name))
-    return renamed
-
-
-def contact_entries(document: Mapping[str, Any]) -> tuple[list[Any], list[dict[str, Any]]]:
-    """Return the entries of a list of contacts (see `contact_entry`), and apart their pads."""
-    listed = enumerate(check_list(document["contacts"], "contacts"))
-    entries = [contact_entry(entry, f"contacts[{i}]") for i, entry in listed]
-    extras = [
-        {key: entry.pop(key) for key in EXTRAS if isinstance(entry, dict) and key in entry}
-        for entry in entries
-    ]
-    return entries, extras
+    entries, pads = [], []
+    for i, listed in enumerate(check_list(document["contacts"], "contacts")):
+        name = f"contacts[{i}]"
+        entry = with_usual_names(listed, name)
+        fields = entry if isinstance(entry, dict) else {}
+        if "angle" in fields:
+            if "normal" in fields:
+                raise GraspError(f"{name} has angle and normal; keep one")
+            direction = direction_of(rational(fields.pop("angle"), f"{name}: angle"))
+            fields["normal"] = list(map(to_text, direction))
+        if is_listed(fields.get("preload")) and is_listed(fields.get("normal")):
+            fields["preload"] = to_text(_along(fields["preload"], fields["normal"], name))
+        entries.append(entry)
+        pads.append(fields.pop(PAD, 0))
+    return entries, pads
 
 
 def _along(force: Any, normal: Any, name: str) -> Fraction:
@@ -248,29 +241,31 @@ def direction_of(degrees: Fraction) -> tuple[Fraction, Fraction]:
     return ((x, y), (-y, x), (-x, -y), (y, -x))[int(quarters) % 4]
 
 
-def completed(conversion: Conversion, extras: Sequence[Mapping[str, Any]]) -> Conversion:
+def completed(conversion: Conversion, pads: Sequence[Any]) -> Conversion:
     """Return contacts with the pads that a file gives them, and what is to be said of them.
 
-    A ``pad`` is a flat patch of that radius: points along the tangents share stiffness, preload and
+    A pad is a flat patch of a radius: points along the tangents share stiffness, preload and
     adhesion, as in `_PADS`.
 
     Args:
-        extras: for each contact its ``pad``, where it has one.
+        pads: for each contact the radius, 0 of no pad.
 
     Raises:
         GraspError: a number that is not at least 0.
     """
-    values = [
-        {key: _at_least_zero(entry[key], f"{key} of contact {i}") for key in entry}
-        for i, entry in enumerate(extras, 1)
-    ]
-    if not any(any(entry.values()) for entry in values):
-        return replace(conversion, remarks=_remarks(conversion.grasp))
-    parts = [
-        [*_pad(contact, entry["pad"])] if entry.get("pad") else [contact]
-        for contact, entry in zip(conversion.grasp, values, strict=True)
-    ]
-    conversion = conversion.of_points(Grasp(chain.from_iterable(parts)), parts)
+    radii: list[Fraction] = []
+    for i, pad in enumerate(pads, 1):
+        radii.append(from_float(pad, f"pad of contact {i}"))
+        if radii[-1] < 0:
+            raise GraspError(
+                f"pad of contact {i} is {shown(radii[-1])}; expected a number that is at least 0"
+            )
+    if any(radii):
+        parts = [
+            [*_pad(contact, radius)] if radius else [contact]
+            for contact, radius in zip(conversion.grasp, radii, strict=True)
+        ]
+        conversion = conversion.of_points(Grasp(chain.from_iterable(parts)), parts)
     return replace(conversion, remarks=_remarks(conversion.grasp))
 
 
@@ -303,13 +298,6 @@ def _pad(contact: Contact, radius: Fraction) -> Iterator[Contact]:
         part = Fraction(share)
         shared = {name: part * getattr(contact, name) for name in VALUES[1:]}
         yield replace(contact, point=point, share=part, **shared)
-
-
-def _at_least_zero(value: Any, name: str) -> Fraction:
-    number = from_float(value, name)
-    if number < 0:
-        raise GraspError(f"{name} is {shown(number)}; expected a number that is at least 0")
-    return number
 
 
 def contact_values(

@@ -25,6 +25,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import partial
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard
 
@@ -37,7 +38,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp, ask_contacts
 from equilibrium.model.labels import Units
 
-from .conversion import DEFAULT_TOLERANCE, EXTRAS, USUAL, Conversion, completed, direction_of
+from .conversion import DEFAULT_TOLERANCE, PAD, USUAL, Conversion, completed, direction_of
 from .incidences import Rounding, converted, rounding
 
 if TYPE_CHECKING:
@@ -49,10 +50,15 @@ _ANGLE = "angle"
 BODIES = ("body_a", "body_b")
 #: In small letters.
 GROUND = ("", "ground", "fixed", "world")
-_KNOWN = (*BODIES, *_REQUIRED, *_IN_SPACE, _ANGLE, *VALUES[1:], *EXTRAS)
+_KNOWN = (*BODIES, *_REQUIRED, *_IN_SPACE, _ANGLE, *VALUES[1:], PAD)
 #: Usual names of columns; those of coordinates and normals have the letter of an axis.
 _USUAL = USUAL | {"normal": _ANGLE, "torque": "tau", "moment": "tau", "body": BODIES[0]}
 _USUAL_AXES = {"": "p pos position point contact", "normal_": "n normal", "f_": "f force"}
+_USUAL |= {
+    f"{word}{bar}{axis}": f"{prefix}{axis}"
+    for prefix, words in _USUAL_AXES.items()
+    for word, bar, axis in product(words.split(), ("", "_"), "xyz")
+}
 #: A name, and a unit in brackets or, of those known, behind a bar.
 _BRACKETED = re.compile(r"(.*?)\s*[\[(]\s*([^\])]*?)\s*[\])]")
 _SUFFIXED = re.compile(
@@ -70,6 +76,7 @@ _COMMA_FREE = re.compile(r"[-+0-9./eE]+")
 _SEPARATORS = (",", ";", "\t")
 #: Characters in which the first line of a file is looked for.
 _HEAD_SIZE = 2**16
+_ROUNDING = rounding(0, DEFAULT_TOLERANCE, DEFAULT_TOLERANCE, False)
 #: Line numbers, and entries by column.
 Rows: TypeAlias = Iterable[tuple[int, dict[str, str]]]
 #: Makes contacts of points, normals and values by name.
@@ -128,7 +135,7 @@ def read_csv(
     return parse_csv(read_text(Path(path))[0], how)
 
 
-def parse_csv(text: str, how: Rounding | None = None) -> Conversion:
+def parse_csv(text: str, how: Rounding = _ROUNDING) -> Conversion:
     """Read a grasp from CSV text.
 
     >>> conversion = parse_csv("x,y,normal_x,normal_y,friction\\n-1,0,2,0,0.5\\n")
@@ -136,8 +143,8 @@ def parse_csv(text: str, how: Rounding | None = None) -> Conversion:
     ((Fraction(1, 1), Fraction(0, 1)), True)
     """
     table = Table(text)
-    conversion = read_rows(table.contacts(), exact_contacts(how))
-    remarks = (*conversion.remarks, *table.unit_remarks())
+    conversion = read_rows(table.contacts(), partial(exact_contacts, how=how))
+    remarks = (*conversion.remarks, *table.remarks)
     grasp = replace(conversion.grasp, units=table.units)
     return replace(conversion, grasp=grasp, remarks=remarks)
 
@@ -165,7 +172,7 @@ def read_bodies(
         return None
     pairs: list[tuple[str, str | None]] = []
     how = rounding(0, tolerance, angle_tolerance, as_given)
-    conversion = read_rows(table.contacts(), exact_contacts(how), pairs=pairs)
+    conversion = read_rows(table.contacts(), partial(exact_contacts, how=how), pairs=pairs)
     if len(conversion.grasp) != len(pairs):
         raise GraspError("pad is for one body; leave the column out")
     contacts = [BodyContact(*pair, c) for pair, c in zip(pairs, conversion.grasp, strict=True)]
@@ -205,19 +212,16 @@ def pair_of(first: str, second: str) -> tuple[str, str | None]:
     return first, None if second.lower() in GROUND else second
 
 
-def exact_contacts(how: Rounding | None = None) -> Convert:
-    """Return what makes contacts of exact numbers; it rounds normals of irrational length."""
-    used = how or rounding(0, DEFAULT_TOLERANCE, DEFAULT_TOLERANCE, False)
-
-    def convert(points: list[Any], normals: list[Any], values: list[dict[str, Any]]) -> Conversion:
-        return converted(points, normals, values, used)
-
-    return convert
+def exact_contacts(
+    points: list[Any], normals: list[Any], values: list[dict[str, Any]], how: Rounding = _ROUNDING
+) -> Conversion:
+    """Return contacts of exact numbers; normals of irrational length are rounded."""
+    return converted(points, normals, values, how)
 
 
 def read_rows(
     rows: Rows,
-    convert: Convert,
+    convert: Convert = exact_contacts,
     number: Callable[[str, str], Any] = rational,
     pairs: list[tuple[str, str | None]] | None = None,
 ) -> Conversion:
@@ -227,23 +231,21 @@ def read_rows(
         number: reads an entry of a column.
         pairs: is given the bodies of each contact; None refuses a table that has some.
     """
-    lines, points, normals, values, extras = [], [], [], [], []
+    lines, points, normals, values, pads = [], [], [], [], []
 
     def take(line: int, row: dict[str, str]) -> None:
         with _named(line):
             if pairs is not None:
                 pairs.append(pair_of(*(row.pop(name) for name in BODIES)))
-            exact = {key: rational(row.pop(key), key) for key in (_ANGLE, *EXTRAS) if key in row}
+            angle, pad = (rational(row.pop(key, 0), key) for key in (_ANGLE, PAD))
             entries = {name: number(entry, name) for name, entry in row.items()}
-        if _ANGLE in exact:
-            direction = direction_of(exact.pop(_ANGLE))
-            entries |= zip(("normal_x", "normal_y"), direction, strict=True)
         axes = "xyz" if "z" in entries else "xy"
+        normal = [entries[name] for x in axes if (name := f"normal_{x}") in entries]
         lines.append(line)
         points.append([entries[x] for x in axes])
-        normals.append([entries[f"normal_{x}"] for x in axes])
+        normals.append(normal or direction_of(angle))
         values.append({name: entries[name] for name in VALUES if name in entries})
-        extras.append(exact)
+        pads.append(pad)
 
     def check(line: int, point: Any, normal: Any, value: dict[str, Any]) -> None:
         with _named(line):
@@ -254,7 +256,7 @@ def read_rows(
         raise GraspError("the table has bodies; expected a grasp. `read_assembly` reads it")
     check_all(*(partial(take, *row) for row in taken))
     try:
-        return completed(convert(points, normals, values), extras)
+        return completed(convert(points, normals, values), pads)
     except ValueError:
         check_all(*map(partial, [check] * len(lines), lines, points, normals, values))
         raise
@@ -279,11 +281,7 @@ def column_of(entry: str) -> tuple[str, str | None]:
     match = _BRACKETED.fullmatch(entry.strip()) or _SUFFIXED.fullmatch(entry.strip())
     name, unit = match.groups() if match else (entry.strip(), None)
     plain = re.sub(r"[\s_-]+", "_", name.lower())
-    usual = _USUAL.get(plain)
-    for prefix, names in _USUAL_AXES.items() if usual is None and plain[-1:] in {*"xyz"} else ():
-        if plain[:-1].rstrip("_") in names.split():
-            usual = f"{prefix}{plain[-1]}"
-    return usual or (plain if match or plain in _KNOWN else name), unit
+    return _USUAL.get(plain, plain if match or plain in _KNOWN else name), unit
 
 
 class Table:
@@ -291,6 +289,7 @@ class Table:
 
     Attributes:
         names: of its columns.
+        remarks: on a unit that stands alone, once rows are read.
 
     Raises:
         GraspError: a quotation mark in the first line is not closed.
@@ -304,8 +303,9 @@ class Table:
             first = ",".join(first.split())
         self._length, self._separator = text.count("\n"), max(_SEPARATORS, key=first.count)
         self._reader = csv.reader(lines, delimiter=self._separator, strict=True)
-        self._head = self._next_entries() or []
-        self.names = [column_of(entry)[0] for entry in self._head]
+        self._columns = [(entry, *column_of(entry)) for entry in self._next_entries() or []]
+        self.names = [name for _, name, _ in self._columns]
+        self.remarks: tuple[str, ...] = ()
 
     def _next_entries(self) -> list[str] | None:
         """Return the entries of the next line that has some; None at the end."""
@@ -323,7 +323,13 @@ class Table:
                 fit the first one.
         """
         check(self.names)
-        self._stated_units()
+        known = self._stated_units()
+        if len(known) == 1:
+            ((kind, unit),) = known.items()
+            self.remarks = (
+                f"only the unit of {kind} is stated, {unit}, so answers have none; state those of "
+                "length and force, as in x [mm] and preload [N]",
+            )
         while (entries := self._next_entries()) is not None:
             if len(entries) != len(self.names):
                 raise GraspError(
@@ -341,49 +347,33 @@ class Table:
 
     @property
     def units(self) -> Units | None:
-        """The units, if the first line states those of length and of force.
-
-        Raises:
-            GraspError: units that do not fit together, or angles that are not in degrees.
-        """
+        """The units, if the first line states those of length and of force."""
         known = self._stated_units()
-        return Units(known["length"], known["force"]) if len(known) == 2 else None
-
-    def unit_remarks(self) -> Iterator[str]:
-        """Yield what is to be said of units that are not complete; errors are those of `units`."""
-        known = self._stated_units()
-        if len(known) == 1:
-            ((kind, unit),) = known.items()
-            yield (
-                f"only the unit of {kind} is stated, {unit}, so answers have none; state those of "
-                "length and force, as in x [mm] and preload [N]"
-            )
+        return Units(**known) if len(known) == 2 else None
 
     def _stated_units(self) -> dict[str, str]:
         """Return the units of length and force that the first line states."""
-        stated = [(shown(entry), *column_of(entry)) for entry in self._head]
         known: dict[str, str] = {}
-        for entry, name, unit in stated:
-            kind = _kind(name)
-            if unit and kind and known.setdefault(kind, unit) != unit:
-                raise GraspError(
-                    f"the column {entry} is in {unit}, others in {known[kind]}; nothing is "
-                    f"converted, so expected one unit of {kind}"
+        for _, name, unit in self._columns:
+            if unit and _kind(name):
+                known.setdefault(_kind(name), unit)
+        for entry, name, unit in self._columns:
+            due, kind = "", _kind(name)
+            if unit and kind and unit != known[kind]:
+                due = f", others in {known[kind]}; nothing is converted, so expected one unit of "
+                due += kind
+            elif name == _ANGLE and (unit or "").lower() not in _DEGREES:
+                due = "; expected degrees"
+            elif name.startswith("friction") and unit not in (None, "", "-", "1"):
+                due = (
+                    "; expected friction, a number without a unit: of a friction angle its tangent"
                 )
-        for entry, name, unit in stated:
-            if name == _ANGLE and unit is not None and unit.lower() not in _DEGREES:
-                raise GraspError(f"the column {entry} is in {unit}; expected degrees")
-            if name.startswith("friction") and unit not in (None, "", "-", "1"):
-                raise GraspError(
-                    f"the column {entry} is in {unit}; expected friction, a number without a unit: "
-                    "of a friction angle its tangent"
-                )
-            if name == "stiffness" and unit and len(known) == 2:
-                expected = f"{known['force']}/{known['length']}"
-                if unit.replace(" ", "") != expected:
-                    raise GraspError(
-                        f"the column {entry} is in {unit}; expected {expected}, as the others"
-                    )
+            elif name == "stiffness" and unit and len(known) == 2:
+                wanted = f"{known['force']}/{known['length']}"
+                if unit.replace(" ", "") != wanted:
+                    due = f"; expected {wanted}, as the others"
+            if due:
+                raise GraspError(f"the column {shown(entry)} is in {unit}{due}")
         return known
 
 
@@ -394,14 +384,15 @@ def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:
         keys: that lines may have besides in a table of many grasps, which are of one body each.
     """
     in_space = any(name in header for name in _IN_SPACE)
-    required: tuple[str, ...] = (*_REQUIRED, *_IN_SPACE) if in_space else _REQUIRED
+    required: tuple[str, ...] = (*_REQUIRED, *_IN_SPACE * in_space)
+    where = "for contacts in space" if in_space else f"or {_ANGLE}, in degrees, for the normal"
     if _ANGLE in header:
         if both := [name for name in header if name.startswith("normal_")]:
             raise GraspError(f"the columns are {_ANGLE} and {both[0]}; keep one")
-        required = ("x", "y", _ANGLE, VALUES[0])
+        required, where = ("x", "y", _ANGLE, VALUES[0]), "with a direction in degrees"
     if any(name in header for name in BODIES):
         required = (*BODIES, *required)
-    allowed = (*keys, *(x for x in _KNOWN if x not in BODIES)) if keys else _KNOWN
+    allowed = [*keys, *_KNOWN[len(BODIES) * bool(keys) :]]
     unknown = [name for name in header if name not in allowed]
     missing = [name for name in required if name not in header]
     if angles := [name for name in unknown if "friction" in name and "angle" in name]:
@@ -411,9 +402,6 @@ def check_header(header: list[str], keys: tuple[str, ...] = ()) -> None:
         meant = f"; write it for {shown(near[0])}, if that is meant" if near else ""
         if all(map(_COMMA_FREE.fullmatch, header)):
             meant = ", since the first line has numbers alone; put a line of names before it"
-        where = "for contacts in space" if in_space else f"or {_ANGLE}, in degrees, for the normal"
-        if _ANGLE in header:
-            where = "with a direction in degrees"
         raise GraspError(
             f"the column {missing[0]} is missing{meant}. The first line must name "
             f"{', '.join(required)} ({where})"

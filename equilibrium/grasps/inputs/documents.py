@@ -60,7 +60,7 @@ def read_any(
 
     Args:
         source: a table, by its ending ``.csv`` or its first line (see `csv_file`); others are
-            documents, or lists of contacts as engines print them (see `conversion.contact_entry`).
+            documents, or lists of contacts as engines print them (`conversion.contact_entries`).
             A load in it, under the key "wrench", is for commands, and left out here.
         round_normals: replace normals of a document by near unit vectors; those of tables always
             are, and those of documents with decimals or angles.
@@ -79,11 +79,11 @@ def read_any(
     document = read_contacts(source, floats=decimal_text)
     listed = check_list(document["contacts"], "contacts")
     angles = any(isinstance(entry, Mapping) and "angle" in entry for entry in listed)
-    contacts, extras = contact_entries(document)
+    contacts, pads = contact_entries(document)
     document = {key: value for key, value in document.items() if key != "wrench"}
     document["contacts"] = contacts
     if not (round_normals or angles or has_decimals(document)):
-        return completed(Conversion(Grasp.from_dict(document), (), ()), extras)
+        return completed(Conversion(Grasp.from_dict(document), (), ()), pads)
     for i, contact in enumerate(contacts):
         check_keys(contact, ("normal",), contact, f"contacts[{i}]")
     directions = [contact["normal"] for contact in contacts]
@@ -102,7 +102,7 @@ def read_any(
         outline=grasp.outline,
     )
     conversion = replace(conversion, grasp=replace(conversion.grasp, units=grasp.units))
-    return completed(conversion.of_points(grasp.spread(conversion.grasp), grasp.groups), extras)
+    return completed(conversion.of_points(grasp.spread(conversion.grasp), grasp.groups), pads)
 
 
 @hints_on_arguments(FILES)

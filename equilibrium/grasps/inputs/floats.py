@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from fractions import Fraction
 from functools import partial
 from pathlib import Path
@@ -86,11 +86,11 @@ def from_float_data(
     >>> from_float_data([[0.1, 0.2]], [[0.0, 2.0]], 0.3).grasp.contacts[0].point
     (Fraction(1, 10), Fraction(1, 5))
     """
-    places = [_place(x, i) for i, x in enumerate(entries(points, "points", "points"))]
-    directions = [
-        rational_vector(x, f"normals[{i}]", _real)
-        for i, x in enumerate(entries(normals, "normals", "vectors"))
-    ]
+    places = _vectors(points, "points", "points")
+    for i, place in enumerate(places):
+        if len(place) not in (2, 3):
+            raise GraspError(f"points[{i}] has {len(place)} coordinates; give two or three")
+    directions = _vectors(normals, "normals", "vectors")
     check_number(len(directions), len(places))
     bound = from_float(tolerance, "tolerance")
     how = rounding(bound, bound, angle_tolerance, as_given)
@@ -103,7 +103,8 @@ def from_float_data(
     values = friction, stiffness, preload, adhesion
     rows = contact_values(len(places), *values, read=_real)
     columns = {name: [entry[name] for entry in rows] for name in VALUES}
-    snap, worst = bound * _unit(columns.values()), Fraction(0)
+    sizes = (max(map(abs, column), default=0) for column in columns.values())
+    snap, worst = bound * min([Fraction(1), *filter(None, sizes)]), Fraction(0)
     for name, column in columns.items():
         for i, x in enumerate(equal_numbers(column, snap, how)):
             if name == "stiffness" and x == 0 < column[i]:
@@ -125,17 +126,9 @@ def _real(value: Any, name: str) -> Fraction:
     return exact
 
 
-def _unit(columns: Iterable[list[Fraction]]) -> Fraction:
-    """Return the least of 1 and, for each column that has numbers other than 0, the largest."""
-    sizes = (max(map(abs, column), default=Fraction(0)) for column in columns)
-    return min([Fraction(1), *filter(None, sizes)])
-
-
-def _place(point: Any, index: int) -> RationalVector:
-    coordinates = rational_vector(point, f"points[{index}]", _real)
-    if len(coordinates) not in (2, 3):
-        raise GraspError(f"points[{index}] has {len(coordinates)} coordinates; give two or three")
-    return coordinates
+def _vectors(values: Any, name: str, kind: str) -> list[RationalVector]:
+    listed = enumerate(entries(values, name, kind))
+    return [rational_vector(x, f"{name}[{i}]", _real) for i, x in listed]
 
 
 def read_float_data(
@@ -166,12 +159,17 @@ def read_float_data(
         made: Conversion = convert(**{name: array.tolist() for name, array in arrays.items()})
         return made
     document = read_contacts(source, "points", floats=float)
-    extras: list[dict[str, Any]] = []
+    pads: list[Any] = []
     if "contacts" in document:
-        listed, extras = contact_entries(document)
-        document = _columns({**document, "contacts": listed})
-    required = ("schema_version", "points", "normals", VALUES[0])
-    check_keys(document, required, (*VALUES[1:], "description"), "the document")
+        listed, pads = contact_entries(document)
+        check_keys(document, ("schema_version", "contacts"), ("description",), "the document")
+        for i, entry in enumerate(listed):
+            check_keys(entry, ("point", "normal", VALUES[0]), VALUES[1:], f"contacts[{i}]")
+        vectors = {f"{key}s": [entry[key] for entry in listed] for key in ("point", "normal")}
+        document = vectors | value_columns(listed)
+    else:
+        required = ("schema_version", "points", "normals", VALUES[0])
+        check_keys(document, required, (*VALUES[1:], "description"), "the document")
     points, normals = (
         [
             [_plain(x, f"{key}[{i}]") for x in check_list(pair, f"{key}[{i}]")]
@@ -185,22 +183,7 @@ def read_float_data(
         if key in VALUES
     }
     conversion: Conversion = convert(points, normals, **values)
-    return completed(conversion, extras) if extras else conversion
-
-
-def _columns(document: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the points, the normals and the values of a grasp document, each as a list."""
-    check_keys(document, ("schema_version", "contacts"), ("description",), "the document")
-    contacts = [
-        check_keys(entry, ("point", "normal", VALUES[0]), VALUES[1:], f"contacts[{i}]")
-        for i, entry in enumerate(check_list(document["contacts"], "contacts"))
-    ]
-    return {
-        "schema_version": document["schema_version"],
-        "points": [entry["point"] for entry in contacts],
-        "normals": [entry["normal"] for entry in contacts],
-        **value_columns(contacts),
-    }
+    return completed(conversion, pads) if pads else conversion
 
 
 def _plain(value: Any, where: str) -> Any:

@@ -13,7 +13,7 @@ from equilibrium.model.contact import VALUES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.parameter import ParametricQuestion
 
-from .conversion import with_usual_names
+from .conversion import PAD, with_usual_names
 from .csv_file import BODIES, Table, is_table, pair_of
 
 _RANGE = re.compile(r"\s*([A-Za-z]\w*)\s*=\s*(\S+?)\s*\.\.\s*(\S+?)\s*")
@@ -73,28 +73,18 @@ def question_document(source: Source, wrench: Any = None) -> dict[str, Any]:
 def _of_table(table: Table) -> dict[str, Any]:
     contacts, names = [], dict[str, None]()
     for line, row in table.contacts():
-        if "z" in row or not row.keys() <= {
-            *BODIES,
-            "x",
-            "y",
-            "normal_x",
-            "normal_y",
-            "angle",
-            *VALUES,
-        }:
+        if row.keys() & {"z", PAD}:
             raise GraspError(
                 f"line {line}: a table with a letter has contacts in the plane, no pads; give "
                 "a JSON document, whose points have a share"
             )
         entry: dict[str, Any] = {"point": [row["x"], row["y"]]}
-        if "angle" in row:
-            entry["angle"] = row["angle"]
-        else:
+        if "angle" not in row:
             entry["normal"] = [row["normal_x"], row["normal_y"]]
-        entry |= {key: row[key] for key in VALUES if key in row}
+        entry |= {key: row[key] for key in ("angle", *VALUES) if key in row}
         if BODIES[0] in row:
             pair = pair_of(*(row[name] for name in BODIES))
-            entry |= dict(zip(BODIES, pair, strict=True))
+            entry |= zip(BODIES, pair, strict=True)
             names |= dict.fromkeys(name for name in pair if name is not None)
         contacts.append(entry)
     return {"schema_version": 1, **({"bodies": list(names)} if names else {}), "contacts": contacts}
