@@ -39,7 +39,7 @@ from equilibrium.model.grasp import Grasp, ask_contacts
 from equilibrium.model.labels import Units
 
 from .conversion import DEFAULT_TOLERANCE, PAD, USUAL, Conversion, completed, direction_of
-from .incidences import Rounding, converted, rounding
+from .incidences import converted, rounding
 
 if TYPE_CHECKING:
     from arrangement import Arrangement
@@ -76,11 +76,14 @@ _COMMA_FREE = re.compile(r"[-+0-9./eE]+")
 _SEPARATORS = (",", ";", "\t")
 #: Characters in which the first line of a file is looked for.
 _HEAD_SIZE = 2**16
-_ROUNDING = rounding(0, DEFAULT_TOLERANCE, DEFAULT_TOLERANCE, False)
 #: Line numbers, and entries by column.
 Rows: TypeAlias = Iterable[tuple[int, dict[str, str]]]
 #: Makes contacts of points, normals and values by name.
 Convert: TypeAlias = Callable[[list[Any], list[Any], list[dict[str, Any]]], Conversion]
+#: Rounds normals of irrational length.
+_EXACT: Convert = partial(
+    converted, how=rounding(0, DEFAULT_TOLERANCE, DEFAULT_TOLERANCE, as_given=False)
+)
 
 
 def is_table(source: object) -> TypeGuard[str | os.PathLike[str]]:
@@ -132,10 +135,10 @@ def read_csv(
             than 4 MiB or is not UTF-8.
     """
     how = rounding(0, tolerance, angle_tolerance, as_given)
-    return parse_csv(read_text(Path(path))[0], how)
+    return parse_csv(read_text(Path(path))[0], partial(converted, how=how))
 
 
-def parse_csv(text: str, how: Rounding = _ROUNDING) -> Conversion:
+def parse_csv(text: str, convert: Convert = _EXACT) -> Conversion:
     """Read a grasp from CSV text.
 
     >>> conversion = parse_csv("x,y,normal_x,normal_y,friction\\n-1,0,2,0,0.5\\n")
@@ -143,7 +146,7 @@ def parse_csv(text: str, how: Rounding = _ROUNDING) -> Conversion:
     ((Fraction(1, 1), Fraction(0, 1)), True)
     """
     table = Table(text)
-    conversion = read_rows(table.contacts(), partial(exact_contacts, how=how))
+    conversion = read_rows(table.contacts(), convert)
     remarks = (*conversion.remarks, *table.remarks)
     grasp = replace(conversion.grasp, units=table.units)
     return replace(conversion, grasp=grasp, remarks=remarks)
@@ -172,7 +175,7 @@ def read_bodies(
         return None
     pairs: list[tuple[str, str | None]] = []
     how = rounding(0, tolerance, angle_tolerance, as_given)
-    conversion = read_rows(table.contacts(), partial(exact_contacts, how=how), pairs=pairs)
+    conversion = read_rows(table.contacts(), partial(converted, how=how), pairs=pairs)
     if len(conversion.grasp) != len(pairs):
         raise GraspError("pad is for one body; leave the column out")
     contacts = [BodyContact(*pair, c) for pair, c in zip(pairs, conversion.grasp, strict=True)]
@@ -212,16 +215,9 @@ def pair_of(first: str, second: str) -> tuple[str, str | None]:
     return first, None if second.lower() in GROUND else second
 
 
-def exact_contacts(
-    points: list[Any], normals: list[Any], values: list[dict[str, Any]], how: Rounding = _ROUNDING
-) -> Conversion:
-    """Return contacts of exact numbers; normals of irrational length are rounded."""
-    return converted(points, normals, values, how)
-
-
 def read_rows(
     rows: Rows,
-    convert: Convert = exact_contacts,
+    convert: Convert = _EXACT,
     number: Callable[[str, str], Any] = rational,
     pairs: list[tuple[str, str | None]] | None = None,
 ) -> Conversion:

@@ -44,8 +44,8 @@ _FACING = math.cos(math.radians(45))
 _AT_ONCE = 50_000
 #: Grasps carry meshes of up to this many facets as their outlines.
 _MOST_FACETS = 2000
-#: A point on a surface with its change, and a facet there.
-_Placed: TypeAlias = tuple[tuple[RationalVector, Fraction], int]
+#: A point on a surface, its change, and a facet there.
+_Placed: TypeAlias = tuple[RationalVector, Fraction, int]
 
 
 @dataclass(frozen=True)
@@ -161,8 +161,7 @@ def on_mesh(
     chosen += _drawn(surface, random, seed, facing)
     if not chosen:
         raise GraspError("no contacts are requested; give points (--at) or a number (--random)")
-    places, facets = zip(*chosen, strict=True)
-    points, errors = zip(*places, strict=True)
+    points, errors, facets = zip(*chosen, strict=True)
     inward: Sequence[Sequence[float | Fraction]]
     if smooth:
         inward = _smooth_inward(surface, facets, points)
@@ -230,7 +229,7 @@ def _nearest(
             _check_smooth(surface.outward[ties], name)
         best = places[distances.argmin()]
         place = _simple(best, surface.size, point) if least > fine else (point, Fraction(0))
-        nearest.append((place, int(ties[0])))
+        nearest.append((*place, int(ties[0])))
     return nearest
 
 
@@ -271,7 +270,7 @@ def _drawn(surface: Surface, number: int, seed: int, facing: Iterable[Any] | Non
         facet = int(source.choices(chosen, cum_weights=sums)[0])
         a, b = sorted((source.random(), source.random()))
         place = np.array([a, b - a, 1 - b]) @ surface.corners[facet]
-        drawn.append((_simple(place, surface.size), facet))
+        drawn.append((*_simple(place, surface.size), facet))
     return drawn
 
 
