@@ -23,6 +23,7 @@ from equilibrium.core.contacts import FloatContacts, nearest
 from equilibrium.model.solution import Leaf
 
 from .cones import Cones, Node, State
+from .float_law import cone_edges, products
 from .relaxation import Ray
 
 #: Numbers are rounded to multiples of one over the first, multipliers below the second left out.
@@ -59,15 +60,15 @@ class FloatLeaf(NamedTuple):
 
     Attributes:
         motion: (n,); work: of all but the load.
-        room: (m,), a less alpha; rub: friction times the most that b does in any direction.
-        error: (m,), a bound on errors of room and rub together.
+        room: (m,), the least works of normal forces of 1 less alpha; lifted: without friction.
+        error: (m,), a bound on their errors.
         alpha: (m,); h, slip: (m, tangents), multipliers and b.
     """
 
     motion: Floats
     work: float
     room: Floats
-    rub: Floats
+    lifted: Floats
     error: Floats
     alpha: Floats
     h: Floats
@@ -131,10 +132,10 @@ class Leaves:
         self._arms, self._unit = contacts.arms(arm), max(1.0, arm)
         self._steps = [int(x) for x in contacts.arms(max(1.0, 1 / arm), max(1.0, arm)).tolist()]
         self._sizes = contacts.arms(contacts.length)
-        self._frames = np.concatenate([contacts.tangents, contacts.normal[:, None]], axis=1)
         # No entry of a normal force's wrench is larger, with friction in any direction.
-        sizes, rub = np.abs(self._frames), contacts.friction[:, None]
-        self._reach = sizes[:, -1] + rub * sizes[:, :-1].sum(axis=1)
+        _, self._reach = cone_edges(
+            np.abs(contacts.normal), np.abs(contacts.tangents), contacts.friction
+        )
         self._frictions = contacts.friction.tolist()
         # Bounds hold where nothing overflows or underflows on the way.
         self._error = SUM_ERROR if contacts.moderate else math.inf
@@ -189,8 +190,8 @@ class Leaves:
         if kept[:, 0].all():
             return []
         limit = max(nothing, 1e-9) * float(np.abs(ray.virtual * self._sizes).max())
-        moved = np.abs(self._frames @ ray.virtual)
-        still = (moved.max(axis=1) <= limit) & ~kept[:, 0]
+        lifted, slip = products(self.contacts.normal, ray.virtual), self.contacts.slips(ray.virtual)
+        still = (np.abs(lifted) <= limit) & (np.abs(slip) <= limit).all(axis=1) & ~kept[:, 0]
         return [
             row
             for i in np.flatnonzero(still).tolist()
@@ -221,7 +222,7 @@ class Leaves:
 
     def _holds(self, states: Sequence[State], leaf: Leaf) -> bool:
         about, none, cones = self.in_floats(leaf), [0] * self.size, self.cones
-        room, rub, slip = about.room.tolist(), about.rub.tolist(), about.slip.tolist()
+        room, lifted, slip = about.room.tolist(), about.lifted.tolist(), about.slip.tolist()
         for i, (state, error) in enumerate(zip(states, about.error.tolist(), strict=True)):
             alpha, *h = leaf.multipliers.get(i, none)
             if alpha.numerator < 0 and state in ("undecided", "detached"):
@@ -231,11 +232,13 @@ class Leaves:
                 return False
             if state == "detached":
                 continue
-            most = self._frictions[i] * cones.largest(state, slip[i]) if ends else rub[i]
+            left = room[i]
+            if ends:
+                left = lifted[i] - self._frictions[i] * cones.largest(state, slip[i])
             # What is not finite is not sure.
-            if room[i] - most > error:
+            if left > error:
                 continue
-            if room[i] - most < -error or not self._is_below(i, state, leaf):
+            if left < -error or not self._is_below(i, state, leaf):
                 return False
         return True
 
@@ -259,15 +262,12 @@ class Leaves:
         )
         for i, row in leaf.multipliers.items():
             rows[i] = [ratio(x, unit) if x else 0.0 for x in row]
-        # The least works of `FloatLaw` by one product; compared with the checker's rule in
-        # test_contacts_of_leaves_obey_the_rule_of_certificates.
-        alpha, moved = rows[:, 0], self._frames @ motion
-        slip = moved[:, :-1]
+        alpha, slip = rows[:, 0], c.slips(motion)
         about = FloatLeaf(
             motion,
             work + float(alpha @ c.preload),
-            moved[:, -1] - alpha,
-            c.friction * self.cones.support(slip),
+            c.least_works(motion, self.cones.support(slip)) - alpha,
+            products(c.normal, motion) - alpha,
             self._error * (self._reach @ np.abs(motion) + np.abs(alpha)),
             alpha,
             rows[:, 1:],

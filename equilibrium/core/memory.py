@@ -98,9 +98,9 @@ class _Known:
                 setattr(self, name, np.concatenate([old, old]))
         self.leaves.append(leaf)
         self._motion[n], self._rest[n] = about.motion, about.work
-        numbers = about.room, about.error, about.slip, about.h
+        numbers = about.lifted, about.error, about.slip, about.h
         self._slips.append(list(zip(*(x.tolist() for x in numbers), strict=True)))
-        inside, least = about.room - about.rub >= -about.error, about.alpha >= 0
+        inside, least = about.room >= -about.error, about.alpha >= 0
         moved = ~about.h.any(axis=1)
         holds = inside & least & moved, least & moved, inside & moved, inside
         for holding, row in zip(self._holding.values(), holds, strict=True):
