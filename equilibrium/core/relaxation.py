@@ -13,7 +13,6 @@ from collections.abc import Iterator, Sequence
 from copy import copy
 from fractions import Fraction
 from functools import cache, lru_cache
-from itertools import accumulate
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -94,20 +93,15 @@ class _ConeShape(NamedTuple):
     """What blocks have in common whose programs differ in numbers alone.
 
     Attributes:
-        size: how many rows.
-        rows: those with coefficients of the motion.
-        arms: coordinates of the motion that the contact feels.
-        places, own: of coefficients of the forces their rows, and whether these are rows of the
-            block, not of balance; columns: how many in each.
+        size: how many rows, and how many unknown forces.
+        rows, columns: of coefficients, in a table with balance above the rows of the block and the
+            motion left of the forces.
         cones: of the rows, with their sizes.
         cost: of the normal force.
     """
 
-    size: int
+    size: tuple[int, int]
     rows: tuple[int, ...]
-    arms: tuple[int, ...]
-    places: tuple[int, ...]
-    own: tuple[bool, ...]
     columns: tuple[int, ...]
     cones: tuple[tuple[str, int], ...]
     cost: float
@@ -118,8 +112,7 @@ class _Block(NamedTuple):
 
     Attributes:
         shape: its number.
-        motion: coefficients of the motion that are not 0 by shape, by columns.
-        data: coefficients of unknown forces by columns.
+        data: coefficients, in the order of the shape.
         forces: (f, unknown forces), shares of these in all forces.
         dual: (2 f, rows), what multipliers of the rows are of alpha, h and displacements.
         room: (rows,), where there has to be room in a leaf.
@@ -127,7 +120,6 @@ class _Block(NamedTuple):
     """
 
     shape: int
-    motion: Floats
     data: Floats
     forces: Floats
     right: Floats
@@ -165,28 +157,25 @@ class _ConeLayout:
 
     Attributes:
         starts: where the rows of each block begin, and the last ends; those of balance come first.
-        order: which coefficients of the motion, block after block, come first by columns.
+        order: of the coefficients, block after block, by columns.
         solver: of the last one, to be changed in place.
     """
 
     def __init__(self, n: int, *shapes: _ConeShape) -> None:
-        self.starts = list(accumulate((shape.size for shape in shapes), initial=n))
-        places = list(zip(shapes, self.starts, strict=False))
-        felt = [(j, k + start) for shape, start in places for j in shape.arms for k in shape.rows]
-        column, row = np.array(felt, dtype=int).reshape(-1, 2).T
-        self.order = np.argsort(column, kind="stable")
-        index = row[self.order].tolist()
-        for shape, start in places:
-            index += [i + start * own for i, own in zip(shape.places, shape.own, strict=True)]
-        counts = np.bincount(column, minlength=n).tolist()
-        counts += [count for shape in shapes for count in shape.columns]
-        self.indices = np.array(index, dtype=int)
-        self.pointer = np.append(0, np.cumsum(counts, dtype=int))
-        self.shape = self.starts[-1], len(counts)
+        sizes = np.cumsum([(n, n), *(shape.size for shape in shapes)], axis=0)
+        self.starts, firsts = sizes.T.tolist()
+        self.shape = self.starts[-1], firsts[-1]
+        places = [np.array([shape.rows, shape.columns]).T for shape in shapes]
+        moved = [x + (x >= n) * (begin - n) for x, begin in zip(places, sizes, strict=False)]
+        row, column = np.concatenate([np.empty((0, 2), dtype=int), *moved]).T
+        self.order = np.lexsort((row, column))
+        self.indices = row[self.order]
+        self.pointer = np.append(0, np.cumsum(np.bincount(column, minlength=firsts[-1])))
         cones = (cone for shape in shapes for cone in shape.cones)
         self.kinds = [clarabel.ZeroConeT(n), *(_CLARABEL_CONES[kind](k) for kind, k in cones)]
-        costs = (shape.cost * (j == 0) for shape in shapes for j in range(len(shape.columns)))
-        self.cost = np.array([*[0.0] * n, *costs])
+        self.cost = np.zeros(firsts[-1])
+        for first, shape in zip(firsts, shapes, strict=False):
+            self.cost[first : first + 1] = shape.cost
         self.solver: Any = None
 
 
@@ -217,7 +206,6 @@ class Programs:
     """The rows and layouts of the programs of one grasp, which loads share.
 
     Attributes:
-        shapes: of blocks, by their numbers.
         block: the rows of a contact in a state, by the units of stiffness and preload and the
             largest displacement.
         layout: of a program, by the numbers of its shapes, and the time limit of its solver.
@@ -247,16 +235,9 @@ class Programs:
         self._values = np.zeros((m, 2 * f + 1, n + 1))
         self._values[:, 0] = np.roll(springs, -1, axis=1)
         self._values[:, 1:-1, :n] = np.concatenate([self._frames[:, 1:], self._frames], axis=1)
-        self.shapes: list[_ConeShape] = []
         self._numbers: dict[_ConeShape, int] = {}
         self.block = lru_cache(_MAX_BLOCKS)(self._new_block)
         self.layout = lru_cache(_MAX_LAYOUTS)(self._new_layout)
-
-    def _number_of(self, shape: _ConeShape) -> int:
-        if shape not in self._numbers:
-            self._numbers[shape] = len(self.shapes)
-            self.shapes.append(shape)
-        return self._numbers[shape]
 
     def _conditions(self, i: int, state: State) -> tuple[Floats, Floats, int, int]:
         """Return the law of a contact in a state as numbers.
@@ -303,27 +284,27 @@ class Programs:
         room[plain : plain + 1] = 1.0
         if not in_round:
             room[equations:] = ~table[equations:, count:].any(axis=1)
-        felt = np.flatnonzero(given[:, :n].any(axis=1))
-        columns = -np.concatenate([forces.T @ frame, table[:, :count].T], axis=1)
-        # Zeros of balance are kept, with which the shapes of all contacts are alike; but a contact
-        # of many bodies acts on two of them.
-        kept = np.append(acts, np.zeros(columns.shape[1] - n, dtype=bool))
-        column, place = np.nonzero((columns != 0) | kept)
+        # Balance above the conditions, the motion left of the forces.
+        whole = np.zeros((n + len(table), n + count))
+        whole[:n, n:] = (forces.T @ frame).T
+        whole[n:, :n], whole[n:, n:] = given[:, :n], table[:, :count]
+        # Some zeros are kept, with which the shapes of all contacts are alike; but a contact of
+        # many bodies acts on two of them.
+        kept = whole != 0
+        kept[:n, n:] |= acts[:, None]
+        kept[n:, :n] = np.outer(kept[n:, :n].any(axis=1), acts)
+        rows, columns = np.nonzero(kept)
         cones = ("zero", equations), ("plus", plain - equations), ("round", in_round)
         shape = _ConeShape(
-            len(table),
-            tuple(felt.tolist()),
-            tuple(np.flatnonzero(acts).tolist()),
-            tuple((place - n * (place >= n)).tolist()),
-            tuple((place >= n).tolist()),
-            tuple(np.bincount(column, minlength=count).tolist()),
+            (len(table), count),
+            tuple(rows.tolist()),
+            tuple(columns.tolist()),
             tuple((kind, size) for kind, size in cones if size),
             float(state in ("undecided", "loose")),
         )
         return _Block(
-            self._number_of(shape),
-            -given[felt, :n][:, acts].T.ravel(),
-            columns[column, place],
+            self._numbers.setdefault(shape, len(self._numbers)),
+            -whole[kept],
             forces,
             given[:, n],
             -table[:, count:-1].T,
@@ -333,7 +314,8 @@ class Programs:
 
     def _new_layout(self, shapes: tuple[int, ...], _: float) -> _ConeLayout:
         # Layouts have no numbers of a grasp, so all grasps share them.
-        return copy(_cone_layout(self._n, *[self.shapes[k] for k in shapes]))
+        listed = list(self._numbers)
+        return copy(_cone_layout(self._n, *[listed[k] for k in shapes]))
 
 
 class Relaxation(FloatLaw):
@@ -380,8 +362,7 @@ class Relaxation(FloatLaw):
         blocks = [every[i] for i in order]
         shapes = tuple([block.shape for block in blocks])
         layout = self._programs.layout(shapes, self.settings.time_limit)
-        motion = np.concatenate([block.motion for block in blocks] or [np.zeros(0)])
-        data = np.concatenate([motion[layout.order], *(block.data for block in blocks)])
+        data = np.concatenate([block.data for block in blocks] or [np.zeros(0)])[layout.order]
         right = np.concatenate([self.load, *(block.right for block in blocks)])
         matrix = Columns(data, layout.indices, layout.pointer, layout.shape)
         return _ConeProgram(order, blocks, layout, matrix, right)
