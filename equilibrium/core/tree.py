@@ -139,17 +139,19 @@ class SpatialSearch:
 
     def decide(self) -> Outcome:
         """Return an accepted equilibrium, a tree that refutes all, or what is open."""
+        outcome: Outcome = self._open("")
         with np.errstate(all="ignore"):
             try:
-                outcome = self._decide()
-                if isinstance(outcome, Open):
-                    outcome = self.equilibria.in_visited_states() or outcome
-                if isinstance(outcome, Solution) and any(outcome.motion):
-                    motion = np.array([nearest(x) for x in outcome.motion])
-                    self.memory.hold(self.equilibria.smooth.load, motion)
-                return outcome
+                for reached in self._steps():
+                    outcome = reached or outcome
+                    if not isinstance(outcome, Open):
+                        break
             except TimeoutError as late:
-                return Open(str(late), self.equilibria.residual)
+                return self._open(str(late))
+            if isinstance(outcome, Solution) and any(outcome.motion):
+                motion = np.array([nearest(x) for x in outcome.motion])
+                self.memory.hold(self.equilibria.smooth.load, motion)
+        return outcome
 
     def close(self, tree: OpenTree, nodes: int) -> Outcome:
         """Return what a tree with given splits leads to, with this many further nodes."""
@@ -217,47 +219,42 @@ class SpatialSearch:
         each = SETTINGS.relaxation_steps_per_contact * rows.n / 6
         self.effort.check(SETTINGS.relaxation_steps + each * len(rows))
 
-    def _decide(self) -> Outcome:
-        """Take the steps from the cheapest to the dearest, until one decides."""
-        early: Solution | Tree | None = self._root_leaf() or self._near_another_load()
-        if early is not None:
-            return early
-        fixed = self._near_fixed_limits() if self.contacts.rows.n > SETTINGS.largest_grasp else None
-        if fixed is not None:
-            return fixed
+    def _steps(self) -> Iterator[Outcome | None]:
+        """Yield what each step leads to, if anything, from the cheapest to the dearest."""
+        smooth, first = self.equilibria.smooth, SETTINGS.first_nodes
+        # A proof without any split, first of what holds whatever the contacts do.
+        ray = self.relaxation.inner_ray(["loose"] * len(self.root), 0.0)
+        yield ray and self.leaves.leaf(self.root, ray)
+        yield self._leaf(self.root, self.relaxation.solve(self.root))
+        # An equilibrium near one of another load on the grasp.
+        motion = self.memory.near(smooth.load, smooth.arms, smooth.size * SETTINGS.near_load_share)
+        if motion is not None:
+            yield self.equilibria.near_motion(motion, SHARPNESS_NEAR)
+        if self.contacts.rows.n > SETTINGS.largest_grasp:
+            yield self._near_fixed_limits()
         tree = OpenTree(self.root)
         if self.memory.promises(self.root, self.leaves):
-            outcome = self._search(tree, SETTINGS.first_nodes)
-            if not isinstance(outcome, Open):
-                return outcome
-        few = self.max_nodes <= SETTINGS.first_nodes
-        starts = self.equilibria.smooth.starts(0 if few else SETTINGS.random_starts)
-        near = self.equilibria.near_motion(next(starts), 1.0)
-        if near is not None:
-            return near
-        outcome = self._few_nodes(tree)
-        if few or not isinstance(outcome, Open):
-            return outcome
-        outcome = self._search(tree, min(SETTINGS.nodes_before_random_starts, self.max_nodes))
-        if not isinstance(outcome, Open):
-            return outcome
-        self.exactly = True
-        return self._near_starts(starts) or self._all_nodes(tree)
-
-    def _root_leaf(self) -> Tree | None:
-        """Return a proof without any split, first of what holds whatever the contacts do."""
-        ray = self.relaxation.inner_ray(["loose"] * len(self.root), 0.0)
-        leaf = ray and self.leaves.leaf(self.root, ray)
-        return leaf or self._leaf(self.root, self.relaxation.solve(self.root))
-
-    def _near_another_load(self) -> Solution | None:
-        """Return an equilibrium near one of another load on the grasp."""
-        smooth = self.equilibria.smooth
-        distance = smooth.size * SETTINGS.near_load_share
-        motion = self.memory.near(smooth.load, smooth.arms, distance)
-        if motion is None:
-            return None
-        return self.equilibria.near_motion(motion, SHARPNESS_NEAR)
+            yield self._search(tree, first)
+        few = self.max_nodes <= first
+        starts = smooth.starts(0 if few else SETTINGS.random_starts)
+        yield self.equilibria.near_motion(next(starts), 1.0)
+        yield self._search(tree, min(first, self.max_nodes))
+        if self.in_plane:
+            yield self.in_plane()
+        yield self.equilibria.in_visited_states()
+        if not few:
+            yield self._search(tree, min(SETTINGS.nodes_before_random_starts, self.max_nodes))
+            self.exactly = True
+            for motion in starts:
+                yield self.equilibria.near_motion(motion, 1.0)
+            # A tree with nodes that cannot be split begins again; if the new one has such nodes,
+            # too, the next avoids imprecise float programs.
+            tree = OpenTree(self.root) if tree.holes or tree.hopeless else tree
+            yield self._search(tree, self.max_nodes)
+            if tree.holes or tree.hopeless:
+                self.avoids_imprecise = True
+                yield self._search(OpenTree(self.root), self.max_nodes)
+            yield self.equilibria.in_visited_states()
 
     def _near_fixed_limits(self) -> Solution | None:
         """Return an equilibrium with the states at a fixed point of Tresca friction, or nearly."""
@@ -266,36 +263,6 @@ class SpatialSearch:
             return near
         outcome = self._search(OpenTree(near), SETTINGS.first_nodes)
         return outcome if isinstance(outcome, Solution) else None
-
-    def _few_nodes(self, tree: OpenTree) -> Outcome:
-        """Try the first nodes, the question in a plane, and exact programs of visited states."""
-        outcome = self._search(tree, min(SETTINGS.first_nodes, self.max_nodes))
-        if isinstance(outcome, Open) and self.in_plane:
-            outcome = self.in_plane() or outcome
-        if isinstance(outcome, Open):
-            outcome = self.equilibria.in_visited_states() or outcome
-        return outcome
-
-    def _near_starts(self, starts: Iterator[Floats]) -> Solution | None:
-        """Return an equilibrium that one of the random motions leads to."""
-        for motion in starts:
-            near = self.equilibria.near_motion(motion, 1.0)
-            if near is not None:
-                return near
-        return None
-
-    def _all_nodes(self, tree: OpenTree) -> Outcome:
-        """Continue a tree up to the limit; begin again if it has nodes that cannot be split.
-
-        If the new tree has such nodes, too, the next one avoids imprecise float programs.
-        """
-        if tree.holes or tree.hopeless:
-            tree = OpenTree(self.root)
-        outcome = self._search(tree, self.max_nodes)
-        if isinstance(outcome, Open) and (tree.holes or tree.hopeless):
-            self.avoids_imprecise = True
-            outcome = self._search(OpenTree(self.root), self.max_nodes)
-        return outcome
 
     def _search(self, tree: OpenTree, max_nodes: int) -> Outcome:
         """Search depth first; nodes that other loads show are not counted."""

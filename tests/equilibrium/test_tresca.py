@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from equilibrium import Assembly, BodyContact, Contact, solve
-from equilibrium.core import continuation, tree
+from equilibrium.core import continuation
 from equilibrium.core.cones import LineCones
 from equilibrium.core.contacts import FloatContacts
 from equilibrium.core.relaxation import Relaxation
@@ -61,7 +61,7 @@ def test_wall_with_bricks_that_just_touch_is_decided(size):
 @pytest.mark.parametrize("courses", [6, 10])
 def test_wall_needs_no_tree_of_all_states(courses, monkeypatch):
     """Of 33 and of 85 bricks: the higher a wall, the larger its motions beside those of a brick."""
-    monkeypatch.setattr(tree.SpatialSearch, "_few_nodes", None)
+    monkeypatch.setattr(continuation.Continuation, "starts", None)
     bricks = 5 if courses == 6 else 8
     assert solve(*wall(courses=courses, bricks=bricks, friction="1/10")).verdict == "resisted"
 
