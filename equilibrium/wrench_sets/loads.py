@@ -15,7 +15,7 @@ import numpy as np
 from arrangement.console.number_form import ReprMixin, counted
 from arrangement.console.progress import watched
 from arrangement.numbers.exact import from_floats
-from arrangement.numbers.float_filter import SMALLEST, Booleans, Floats, error_bound, scale_rows
+from arrangement.numbers.float_filter import SMALLEST, Booleans, error_bound, scale_rows
 from equilibrium.decide.many_grasps.arrays import exact_floats
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
@@ -68,30 +68,22 @@ def check_loads(whole: ResistedSet, wrenches: Any) -> CheckedLoads:
     groups = [[*both_ways(x.inequalities, x.equalities), (0, 0, 0, 1)] for x in shapes]
     rows, usable = scale_rows([row for group in groups for row in group])
     starts = np.cumsum([0, *map(len, groups)])[:-1]
-    # Those of pieces whose rows floats can hold.
-    usable = np.logical_and.reduceat(usable, starts) if shapes else usable
+    # What floats cannot hold has no values, so that no comparison with them is certain.
+    rows[~usable] = np.nan
+    sizes = np.abs(loads)
+    extreme = ((sizes < SMALLEST) & (sizes > 0)) | (sizes > 1 / SMALLEST)
     resisted, near_border = np.zeros((2, len(loads)), dtype=bool)
     size = max(1, _NUMBERS // (len(rows) + 1))
-    parts = range(0, len(loads) if shapes else 0, size)
-    for part in watched([slice(k, k + size) for k in parts], "batches of loads"):
-        inside, possible = _inside(loads[part], rows, starts, usable)
-        resisted[part] = inside.any(axis=0)
+    parts = [slice(k, k + size) for k in range(0, len(loads) if shapes else 0, size)]
+    for part in watched(parts, "batches of loads"):
+        near = np.where(extreme[part], np.nan, loads[part])
+        least = np.minimum.reduceat(rows[:, :3] @ near.T + rows[:, 3:], starts)
+        # Entries of the rows are below 1, so the four products add up to less than this.
+        errors = 4 * _ERROR * np.maximum(sizes[part].max(axis=1), 1.0)
+        resisted[part] = (least >= errors).any(axis=0)
+        possible = ~(least < -errors)
         near_border[part] = possible.any(axis=0) & ~resisted[part]
         for n in np.flatnonzero(near_border[part]).tolist():
             wrench, open_ones = from_floats(loads[part][n]), np.flatnonzero(possible[:, n])
             resisted[part.start + n] = any(shapes[j].contains(wrench) for j in open_ones)
     return CheckedLoads(whole.grasp, resisted, np.ones_like(resisted), near_border)
-
-
-def _inside(
-    loads: Floats, rows: Floats, starts: Any, usable: Booleans
-) -> tuple[Booleans, Booleans]:
-    """Return for each piece and load whether it is surely inside, and whether it may be."""
-    tiny, huge = (np.abs(loads) < SMALLEST) & (loads != 0), np.abs(loads) > 1 / SMALLEST
-    extreme = (tiny | huge).any(axis=1)
-    near = np.where(extreme[:, None], 0.0, loads)
-    least = np.minimum.reduceat(rows[:, :3] @ near.T + rows[:, 3:], starts)
-    # Entries of the rows are below 1, so the four products add up to less than this.
-    errors = 4 * _ERROR * np.maximum(np.abs(near).max(axis=1), 1.0)
-    errors[extreme] = np.inf
-    return (least >= errors) & usable[:, None], (least >= -errors) | ~usable[:, None]
