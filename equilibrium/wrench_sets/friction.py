@@ -4,8 +4,9 @@ In the coefficient the equations are not linear, and more friction is not always
 bisection would be wrong. Instead a whole range of coefficients is refuted at once: let every
 slipping contact have its own coefficient anywhere in the range, and every sticking one the largest.
 That is a linear program for each choice of contact states; if all are infeasible, no coefficient of
-the range resists the wrench. Ranges that are not refuted are halved, the lower half first. For any
-coefficient cones are half-planes, in which friction takes a normal force.
+the range resists the wrench. Ranges that are not refuted are halved, the lower half first; one
+without an upper end is cut at twice its lower end. For any coefficient cones are half-planes, in
+which friction takes a normal force.
 """
 
 from __future__ import annotations
@@ -13,7 +14,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import pairwise
 from typing import Any
 
 from arrangement.console.number_form import JsonMixin
@@ -30,8 +30,8 @@ from equilibrium.model.grasp import Grasp, chosen_contacts
 from equilibrium.model.subject import points_of, rows_of
 from equilibrium.plane.states.contact_states import contact_states
 
-#: Ends of ranges of coefficients; those above the last are tried all at once only.
-_ENDS = (0, *(2**k for k in range(21)))
+#: Coefficients above this one are tried all at once only.
+_LARGEST = 2**20
 #: Of the bracket, if none is stated.
 TOLERANCE = Fraction(1, 2**20)
 #: Least width of the bracket: each halving takes one more search with longer numbers.
@@ -114,48 +114,40 @@ class _Search:
         self.subject, self.bound = solver.grasp, solver.max_displacement
         self.load, self.width, self.chosen = load, width, chosen
         self.places = self.subject.points_of(chosen)
-        self.first_open: Fraction | None = None
-        self.open = 0
 
     def bracket(self) -> tuple[Fraction | None, Fraction | None]:
-        """Look at ever larger ranges until one holds a sufficient coefficient.
+        """Look at ranges, the lowest first, until one holds a sufficient coefficient.
 
         Returns:
             `low` and `high` of the answer.
         """
         if self.resists(Fraction(0)):
             return Fraction(0), Fraction(0)
-        alive = None
-        for low, high in pairwise(map(Fraction, _ENDS)):
-            alive = self.possible(alive, low, None)
+        first_open, open_count = None, 0
+        ranges: list[tuple[Fraction, Fraction | None, Any]] = [(Fraction(0), None, None)]
+        while ranges:
+            low, high, states = ranges.pop()
+            if low == _LARGEST and first_open is not None:
+                break
+            alive = self.possible(states, low, high)
             if not alive:
-                return self.first_open, None
-            enough = self.lowest(alive, low, high)
-            if enough is not None:
-                return self.first_open, enough
-        if self.first_open is None and self.possible(alive, high, None):
-            self.first_open = high
-        return self.first_open, None
-
-    def lowest(self, states: list[Any], low: Fraction, high: Fraction) -> Fraction | None:
-        """Return a sufficient coefficient of a range, after all ranges below it are looked at."""
-        alive = self.possible(states, low, high)
-        if not alive:
-            return None
-        if high - low > self.width:
-            middle = (low + high) / 2
-            lower = self.lowest(alive, low, middle)
-            return self.lowest(alive, middle, high) if lower is None else lower
-        if self.first_open is None:
-            self.first_open = low
-        self.open += 1
-        budget.check_size(
-            self.open, "open ranges of friction coefficients", f"tolerance {shown(self.width)}"
-        )
-        if not self.resists(high):
-            return None
-        simple = simplest_between(low, high)
-        return simple if self.resists(simple) else high
+                continue
+            if low < _LARGEST and (high is None or high - low > self.width):
+                middle = max(2 * low, Fraction(1)) if high is None else (low + high) / 2
+                ranges += [(middle, high, alive), (low, middle, alive)]
+                continue
+            if first_open is None:
+                first_open = low
+            if high is None:
+                break
+            open_count += 1
+            budget.check_size(
+                open_count, "open ranges of friction coefficients", f"tolerance {shown(self.width)}"
+            )
+            if self.resists(high):
+                simple = simplest_between(low, high)
+                return first_open, simple if self.resists(simple) else high
+        return first_open, None
 
     def possible(self, states: list[Any] | None, low: Fraction, high: Fraction | None) -> list[Any]:
         """Return states that the relaxation over a range does not refute; none if all are refuted.
