@@ -13,10 +13,12 @@ are convex, and a slip in one direction has one friction force.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from bisect import bisect
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
+from operator import itemgetter
 from typing import Any, NamedTuple, TypeAlias
 
 from arrangement.numbers.exact import (
@@ -40,7 +42,6 @@ from equilibrium.model.contact import Contact
 from equilibrium.model.displacement import read_displacement
 from equilibrium.model.errors import EquilibriumError, GraspError
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.solution import Solution
 
 #: The works of the leaves of a tree: of each a virtual motion, and what the preloads add.
 Works: TypeAlias = tuple[tuple[RationalVector, Fraction], ...]
@@ -161,8 +162,8 @@ class KnownMagnitudes:
         self.refuted = [
             interval for tree in known.trees if (interval := self._range(tree)) is not None
         ]
-        self.held: list[tuple[Fraction, Fraction]] = []
-        self._equilibria: list[tuple[Fraction, Solution]] = []
+        #: Magnitudes of exact equilibria, increasing, each with the motion.
+        self.equilibria: list[tuple[Fraction, RationalVector]] = []
 
     def load(self, t: Fraction) -> RationalVector:
         """Return the load of a magnitude."""
@@ -179,23 +180,16 @@ class KnownMagnitudes:
             t = Fraction(1)
         if self.refuting(t) is not None:
             return NOT_RESISTED
-        if any(low <= t <= high for low, high in self.held):
+        k = bisect(self.equilibria, t, key=itemgetter(0))
+        neighbours = [motion for _, motion in self.equilibria[max(0, k - 1) : k + 1]]
+        if len(neighbours) == 2 and blends(self.known.grasp, *neighbours):
             return RESISTED
         verdict = self.known.solve(self.load(t), **how)
         if verdict.verdict == NOT_RESISTED and (around := self._range(self.known.trees[-1])):
             self.refuted.append(around)
         if verdict.solution is not None and verdict.solution.box is None:
-            self._hold(t, verdict.solution)
+            self.equilibria.insert(k, (t, verdict.solution.motion))
         return verdict.verdict
-
-    def _hold(self, t: Fraction, solution: Solution) -> None:
-        """Remember an equilibrium, and what lies between it and its neighbours."""
-        new = (t, solution)
-        self._equilibria = sorted([*self._equilibria, new], key=lambda x: x[0])
-        k = self._equilibria.index(new)
-        for low, high in pairwise(self._equilibria[max(0, k - 1) : k + 2]):
-            if blends(self.known.grasp, low[1], high[1]):
-                self.held.append((low[0], high[0]))
 
     def refuting(self, t: Fraction) -> Ends | None:
         """Return the magnitudes that a tree refutes together with this one, if one does."""
@@ -234,22 +228,20 @@ class KnownMagnitudes:
         return closed if closed and is_long(closed) else None
 
 
-def blends(grasp: Grasp, one: Solution, other: Solution) -> bool:
-    """Return whether all that is between two equilibria is one, as each contact does the same."""
-    return all(
-        _same(contact, [(x.motion, x.forces[i]) for x in (one, other)])
-        for i, contact in enumerate(grasp)
-    )
+def blends(grasp: Grasp, one: RationalVector, other: RationalVector) -> bool:
+    """Return whether all motions between those of two equilibria are of equilibria, too.
+
+    They are if each contact is on one side of its spring, and slips in one direction or not.
+    """
+    return all(_same(contact, one, other) for contact in grasp)
 
 
-def _same(contact: Contact, pair: Sequence[tuple[RationalVector, RationalVector]]) -> bool:
-    """Return whether a contact is on one side of its spring, and slips in one direction or not."""
-    springs = [spring_force(contact, motion) for motion, _ in pair]
+def _same(contact: Contact, one: RationalVector, other: RationalVector) -> bool:
+    springs = [spring_force(contact, motion) for motion in (one, other)]
     if max(springs) <= 0:
         return True
-    (a, b), (c, d) = (
-        tuple(dot(row, motion) for row in contact.tangential_wrenches) for motion, _ in pair
-    )
+    a, b = (dot(row, one) for row in contact.tangential_wrenches)
+    c, d = (dot(row, other) for row in contact.tangential_wrenches)
     one_way = a * d == b * c and a * c + b * d >= 0 and any((a, b)) == any((c, d))
     return min(springs) >= 0 and one_way
 

@@ -236,32 +236,41 @@ class TestKnownLoads:
         one, *others = [solve(FEET, load) for load in loads]
         for other in others:
             share, (a, b) = Fraction(1, 3), (one.solution, other.solution)
-            assert blends(FEET, a, b)
+            assert blends(FEET, a.motion, b.motion)
             middle = [mixed(share, *pair) for pair in zip(a.forces, b.forces, strict=True)]
             load = mixed(share, one.wrench, other.wrench)
             found = Solution(mixed(share, a.motion, b.motion), tuple(middle))
             assert resisted_certificate(FEET, load, found).verify()
 
     def test_contacts_that_do_something_else_do_not_blend(self):
-        motions = [(1, 0, -1), (2, 0, -1), (-1, 0, -1), (0, 1, -1), (0, 0, -1), (0, 1, 1)]
-        forces = ((Fraction(0),) * 3,) * 4
-        found = [Solution((*map(Fraction, v), *[Fraction(0)] * 3), forces) for v in motions]
-        slip, further, *others = found
+        rows = [(1, 0, -1), (2, 0, -1), (-1, 0, -1), (0, 1, -1), (0, 0, -1), (0, 1, 1)]
+        motions = [(*map(Fraction, v), *[Fraction(0)] * 3) for v in rows]
+        slip, further, *others = motions
         assert blends(FEET, slip, further)
         assert not any(blends(FEET, slip, other) for other in others)
-        tilted = replace(slip, motion=(*slip.motion[:3], Fraction(3), Fraction(0), Fraction(0)))
+        tilted = (*slip[:3], Fraction(3), Fraction(0), Fraction(0))
         assert not blends(FEET, slip, tilted)
         x, y, _ = FEET.contacts[
             0
         ].point  # About which it turns as well: the other feet slip elsewhere.
-        turning = replace(slip, motion=(1 + y, -x, *slip.motion[2:5], Fraction(1)))
-        both = [(slip.motion, ()), (turning.motion, ())]
-        assert [_same(contact, both) for contact in FEET] == [True, False, False, False]
+        turning = (1 + y, -x, *slip[2:5], Fraction(1))
+        assert [_same(contact, slip, turning) for contact in FEET] == [True, False, False, False]
         assert not blends(FEET, slip, turning)
-        known = self.known(FEET, across(1, 0))
-        for t, solution in ((1, slip), (3, further), (2, slip), (4, tilted), (0, slip)):
-            known._hold(Fraction(t), solution)
-        assert known.held == [(1, 3), (1, 2), (2, 3), (0, 1)]
+        held, asked = {1: slip, 3: further, 2: slip, 4: tilted, 0: slip}, []
+
+        def ask(wrench):
+            asked.append(wrench[1])
+            motion = held.get(wrench[1])
+            solution = motion and SimpleNamespace(motion=motion, box=None)
+            return SimpleNamespace(verdict="resisted" if motion else "open", solution=solution)
+
+        loads = SimpleNamespace(grasp=FEET, trees=[], solve=ask, scales=False)
+        known = KnownMagnitudes(loads, across(1, 0), (0,) * 6)
+        assert {known.verdict(Fraction(t)) for t in (1, 3, 2, 4, 0)} == {"resisted"}
+        assert asked == [1, 3, 4, 0]  # What is between 1 and 3 is known.
+        halves = [Fraction(k, 2) for k in (1, 3, 5, 7)]
+        assert [known.verdict(t) for t in halves] == ["resisted"] * 3 + ["open"]
+        assert asked[4:] == [Fraction(7, 2)]
 
     def test_magnitudes_are_refuted_where_all_works_are_above_0(self):
         known = self.known(FINGERS, (1, 0, 0, 0, 0, 0))
@@ -280,11 +289,9 @@ class TestKnownLoads:
         ]:
             rows = tuple(((Fraction(slope), *[0] * 5), Fraction(rest)) for slope, rest in works)
             assert known._range(rows) == due
-        known.refuted, known.held = [(None, 1), (2, 3)], [(4, 5)]
+        known.refuted = [(None, 1), (2, 3)]
         found = [known.refuting(t) for t in (0, 1, 2, Fraction(5, 2), 3)]
         assert found == [(None, 1), None, None, (2, 3), None]
-        known.known = None  # Nothing is asked.
-        assert [known.verdict(t) for t in (4, 5)] == ["resisted"] * 2
 
     def test_the_range_of_each_new_proof_is_remembered(self):
         works = [(((1,) * 6, -low), ((-1,) * 6, high)) for low, high in ((0, 2), (3, 5))]
@@ -319,12 +326,16 @@ class TestKnownLoads:
 
     @pytest.mark.parametrize("box", [None, object()])
     def test_between_exact_equilibria_alone_nothing_is_asked(self, box):
-        rest = solve(FEET, (0,) * 6).solution
-        found = SimpleNamespace(verdict="resisted", solution=replace(rest, box=box))
-        loads = SimpleNamespace(grasp=FEET, trees=[], solve=lambda _: found, scales=False)
+        rest, asked = solve(FEET, (0,) * 6).solution, []
+
+        def ask(wrench):
+            asked.append(wrench[1])
+            return SimpleNamespace(verdict="resisted", solution=replace(rest, box=box))
+
+        loads = SimpleNamespace(grasp=FEET, trees=[], solve=ask, scales=False)
         known = KnownMagnitudes(loads, across(1, 0), (0,) * 6)
-        assert [known.verdict(Fraction(t)) for t in (1, 2)] == ["resisted"] * 2
-        assert known.held == ([(1, 2)] if box is None else [])
+        assert [known.verdict(Fraction(t)) for t in (1, 3, 2)] == ["resisted"] * 3
+        assert asked == ([1, 3] if box is None else [1, 3, 2])
 
     def test_contacts_same_on_one_side_of_the_spring(self):
         contact = Contact((0, 0, 0), (0, 0, 1), 1, 1, 1, (1, 0, 0))
@@ -343,8 +354,8 @@ class TestKnownLoads:
             ((1, 0, 1), (-1, 0, 2), True),
             ((1, 0, 2), (1, 0, 0), False),
         ]:
-            both = [((*map(Fraction, motion), 0, 0, 0), ()) for motion in (one, other)]
-            assert _same(contact, both) == _same(contact, both[::-1]) == same
+            both = [(*map(Fraction, motion), 0, 0, 0) for motion in (one, other)]
+            assert _same(contact, *both) == _same(contact, *both[::-1]) == same
 
 
 def answers(low, high, border="not resisted"):
