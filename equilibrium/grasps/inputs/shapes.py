@@ -155,7 +155,8 @@ def listed_shapes(document: Mapping[str, Any]) -> tuple[list[Shape], list[Any], 
         if shape.name in names:
             raise GraspError(f"ground[{i}] has the name {shown(shape.name)} of a body; change one")
         shapes.append(shape)
-    dimensions = {_dimension(shape.form) for shape in shapes}
+    forms = [shape.form for shape in shapes]
+    dimensions = {3 if isinstance(form, Plane) else form.dimension for form in forms}
     if len(dimensions) > 1 or (several and 3 in dimensions):
         raise GraspError(
             "the shapes are in the plane and in space, or several bodies in space; expected all in "
@@ -236,10 +237,6 @@ def _form(kind: str, data: Any, where: str, is_body: bool) -> Form:
     check_keys(data, ("centre", "radius"), (), where)
     check_list(data["centre"], f"{where}.centre", 3 if kind == "sphere" else 2)
     return read_round(data, where)
-
-
-def _dimension(form: Form) -> int:
-    return 3 if isinstance(form, Plane) else form.dimension
 
 
 def _body(entry: Mapping[str, Any], shape: Shape) -> RigidBody:
