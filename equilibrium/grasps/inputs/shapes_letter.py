@@ -32,8 +32,8 @@ WORDS = ("name", "shapes", "body_a", "body_b", "description", "units", "schema_v
 _WIDTH = Fraction(1, 10**12)
 #: Intervals and single values into which the range is cut at most.
 _MOST_CELLS = 200
-#: Contacts: bodies, point and normal in texts.
-_Contacts = list[dict[str, Any]]
+#: Contacts: the names of the shapes; bodies, point and normal in texts.
+_Contacts = list[tuple[tuple[str, str], dict[str, Any]]]
 
 
 def shapes_with_letter(
@@ -113,7 +113,7 @@ def _at(document: Mapping[str, Any], letter: str, value: Any) -> dict[str, Any]:
     return made
 
 
-def _contact(touch: Touch) -> dict[str, Any]:
+def _contact(touch: Touch) -> tuple[tuple[str, str], dict[str, Any]]:
     point, form = touch.point, touch.first.form
     if point is None:
         assert isinstance(form, Circle)  # else there is a point
@@ -122,22 +122,14 @@ def _contact(touch: Touch) -> dict[str, Any]:
         point = difference(form.centre, tuple(share * x for x in touch.way))
     first, second, normal = into_body(touch.first, touch.second, touch.way)
     texts = {"point": [x.text() for x in point], "normal": [x.text() for x in normal]}  # type: ignore[attr-defined]
-    return {
-        "body_a": first,
-        "body_b": second,
-        **texts,
-        "shapes": (touch.first.name, touch.second.name),
-    }
+    return (touch.first.name, touch.second.name), {"body_a": first, "body_b": second, **texts}
 
 
 def _written(document: Mapping[str, Any], listed: _Contacts) -> dict[str, Any]:
     """Return the assembly with these contacts, and with threads as contacts."""
     rows = [*document["bodies"], *document.get("ground", [])]
     values = PairValues(document, {row.get("name", "ground") for row in rows})
-    contacts = []
-    for entry in listed:
-        shapes = entry["shapes"]
-        contacts.append({k: x for k, x in entry.items() if k != "shapes"} | values(*shapes))
+    contacts = [entry | values(*shapes) for shapes, entry in listed]
     for thread in document.get("threads", []):
         law = {"friction": 0, "preload": thread.get("tension", 0)}
         law |= {"stiffness": thread["stiffness"]} if "stiffness" in thread else {}
