@@ -727,6 +727,9 @@ class TestLetter:
             # The second disc touches at t = 13/9 alone, and at an irrational value.
             ({"bodies": [disc("a", 0, 1, 1), disc("b", "2+(t-13/9)^2", 1, 1)]}, "t=1..2", "13/9"),
             ({"bodies": [disc("a", 0, "t", 1)]}, "t=2..1", "expected low below high"),
+            # They are apart at t = 2, which is looked at first.
+            ({"bodies": [disc("a", 0, 1, 1), disc("b", "t", "3/4", "3/4")]}, "t=1..3",
+             "^for t = 3/2: a and b overlap: the centre .* is nearer than 7/4"),
             ({"friction": "1/t"}, "t=0..1", "for t = 0 a number divides by 0"),
             ({"friction": "t-1/2"}, "t=0..1", "below 0 for some values"),
             ({"bodies": [disc("a", 0, "t", "t")]}, "t=0..1", "for t = 0: .*radius"),

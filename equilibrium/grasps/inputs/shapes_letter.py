@@ -69,8 +69,11 @@ def shapes_with_letter(
         value = simplest_between(rest.low + third, rest.high - third)
         domain = Domain(rest, value, _WIDTH, letter)
         try:
+            # First with the value, whose numbers messages have.
             if known is None:
                 read_shapes(_at(document, letter, value))  # all keys, and threads
+            else:
+                list(touches(listed_shapes(_at(document, letter, value))[0], Fraction(0)))
             numbers = _at(document, letter, Function.letter(domain))
             contacts = list(map(_contact, touches(listed_shapes(numbers)[0], Fraction(0))))
         except ZeroDivisionError:
