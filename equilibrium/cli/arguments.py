@@ -127,7 +127,7 @@ def add_applied(
         name, text: of the option that takes the wrench as such.
     """
     group: Any = parser.add_mutually_exclusive_group()
-    add_wrench(group, name, text, None)
+    add_wrench(group, name, text)
     add_force(parser, group)
     return group
 
@@ -140,13 +140,8 @@ def add_displacement(parser: argparse.ArgumentParser) -> None:
 
 def add_cone(parser: argparse.ArgumentParser) -> None:
     """Add the choice of friction cones in space: None is round, else edges of a pyramid."""
-    parser.add_argument(
-        "--cone",
-        metavar="pyramid:K",
-        type=_cone,
-        default="round",
-        help="in space: use friction pyramids with K edges, K even, instead of round cones",
-    )
+    text = "in space: use friction pyramids with K edges, K even, instead of round cones"
+    parser.add_argument("--cone", metavar="pyramid:K", type=_cone, default="round", help=text)
 
 
 def _cone(text: str) -> int | None:
@@ -163,12 +158,8 @@ def add_force(parser: argparse.ArgumentParser, group: Any) -> None:
     rational = values.rational_argument
     text = "instead of a wrench: a force (three numbers in space)"
     force = group.add_argument("--force", nargs=2, metavar=_AXES[:2], type=rational, help=text)
-    group.add_argument(
-        "--weight",
-        metavar="W",
-        type=rational,
-        help="instead of a wrench: mass times gravity, the force (0, -W), in space (0, 0, -W)",
-    )
+    text = "instead of a wrench: mass times gravity, the force (0, -W), in space (0, 0, -W)"
+    group.add_argument("--weight", metavar="W", type=rational, help=text)
     text = "where the force or weight acts (default: at the origin)"
     place = parser.add_argument("--at", nargs=2, metavar=("X", "Y"), type=rational, help=text)
     _let_grow(parser, force, place)
@@ -209,16 +200,10 @@ def force_given(arguments: argparse.Namespace, dimension: int = 2) -> RationalVe
     return wrench_of(arguments.force or down, arguments.at, dimension)
 
 
-def add_wrench(parser: Any, name: str, text: str, default: Any) -> None:
+def add_wrench(parser: Any, name: str, text: str) -> None:
     """Add three numbers, or six for a grasp in space; whoever reads them knows which."""
-    option = parser.add_argument(
-        name,
-        nargs=3,
-        default=default,
-        metavar=_AXES,
-        type=values.rational_argument,
-        help=text,
-    )
+    rational = values.rational_argument
+    option = parser.add_argument(name, nargs=3, metavar=_AXES, type=rational, help=text)
     _let_grow(parser, option)
 
 
@@ -269,11 +254,10 @@ def add_number(
     parser: argparse.ArgumentParser, name: str, default: Any, text: str, metavar: str = "Q"
 ) -> None:
     """Add an exact number."""
-    text = text if default is None else f"{text} (default: {to_text(Fraction(default))})"
     value = None if default is None else Fraction(default)
-    parser.add_argument(
-        name, metavar=metavar, type=values.rational_argument, default=value, help=text
-    )
+    text += "" if value is None else f" (default: {to_text(value)})"
+    number = values.rational_argument
+    parser.add_argument(name, metavar=metavar, type=number, default=value, help=text)
 
 
 def add_count(
@@ -309,13 +293,10 @@ def read(arguments: argparse.Namespace) -> Grasp:
 def tell_rounding(conversion: Conversion) -> None:
     """Report on stderr how much numbers changed, and which incidences are preserved."""
     if not conversion.exact:
+        errors = conversion.point_errors, conversion.angle_errors, (conversion.value_error,)
         point, angle, value = (
-            number_text(max(map(abs, errors), default=Fraction(0)), 2, longest=0).removeprefix("≈")
-            for errors in (
-                conversion.point_errors,
-                conversion.angle_errors,
-                (conversion.value_error,),
-            )
+            number_text(max(map(abs, changes), default=Fraction(0)), 2, longest=0).removeprefix("≈")
+            for changes in errors
         )
         values_text = f", values by {value}" if conversion.value_error else ""
         text = f"rounded: points by {point}, normals by {angle} radians{values_text}"
@@ -388,14 +369,6 @@ def bodies_of(arguments: argparse.Namespace) -> Bodies | None:
         assembly = assembly.with_preload(preload)
     stated = wrenches_of(document) if document else None
     return Bodies(assembly, stated, "wrench" in document)
-
-
-def question_of(arguments: argparse.Namespace, bodies: Bodies | None) -> tuple[Any, Any]:
-    """Return what `solve` is asked about: a grasp and a wrench, or an assembly and its wrenches."""
-    if bodies is not None:
-        return bodies.assembly, bodies.wrenches(arguments.on)
-    grasp = grasp_of(arguments)
-    return grasp, applied(arguments, grasp)
 
 
 #: Fields of documents that say already how far the answer holds for the data as rounded.

@@ -69,7 +69,7 @@ def _add_options(draw: Parser) -> None:
     add_force(draw, draw.add_mutually_exclusive_group())
     text = "show the values of a letter in the file, as in t=0..1, with which its load is resisted"
     draw.add_argument("--parameter", metavar="LETTER=FROM..TO", help=text)
-    add_wrench(draw, "--origin", "for the .json data of --view slice: a wrench in its plane", None)
+    add_wrench(draw, "--origin", "for the .json data of --view slice: a wrench in its plane")
 
 
 def _draw(arguments: argparse.Namespace) -> int:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, islice
 from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import bracket, counted, number, vector
@@ -13,7 +13,8 @@ from arrangement.console.options import values
 from arrangement.console.progress import shown
 from arrangement.console.writing import write_text_atomically
 from arrangement.errors import OutOfReachError
-from arrangement.numbers.exact import RationalVector
+from arrangement.numbers.exact import RationalVector, primitive
+from arrangement.numbers.linear.rank import rank
 from equilibrium.model.contact import contact_entry, contact_words, pyramid_words
 from equilibrium.model.errors import GraspError
 from equilibrium.model.labels import AS_ROUNDED, ROUNDED
@@ -81,13 +82,12 @@ def add_command_info(commands: Any) -> None:
 
 def _info(arguments: argparse.Namespace) -> int:
     form, answer = DESCRIPTION, _description
-    load = has_load(arguments)
+    if has_load(arguments) or arguments.output is not None:
+        form = REPORT
     if arguments.modes:
         form, answer = "--modes", _modes
     elif arguments.force_closure:
         form, answer = "--force-closure", _force_closure
-    elif load or arguments.output is not None:
-        form, answer = REPORT, _description
     check_options(arguments, "info", None, form)
     return answer(arguments)
 
@@ -97,64 +97,66 @@ def _description(arguments: argparse.Namespace) -> int:
 
     With a load, or a page to write, that is the report.
     """
-    from arrangement.numbers.exact import primitive
-    from arrangement.numbers.linear.rank import rank
     from equilibrium.methods.force_closure import force_closure
 
     bodies = bodies_of(arguments)
     if bodies is not None:
         return _of_assembly(arguments, bodies)
     grasp = grasp_of(arguments)
-    rows = [primitive(row) for contact in grasp for row in contact.tangential_wrenches]
-    closed = force_closure(grasp)
+    closed, parts = force_closure(grasp), grasp.parts
+    given = any(contact.stiffness_given for contact in grasp)
+    known, planes = _rank([row for contact in grasp for row in contact.tangential_wrenches])
     document: dict[str, Any] = {
-        "contacts": [contact_entry(points) for points in grasp.parts],
+        "contacts": [contact_entry(points) for points in parts],
         "dimension": grasp.dimension,
-        "stiffness_given": any(contact.stiffness_given for contact in grasp),
-        "tangential_hyperplanes": len(rows),
-        "rank": rank(rows) if rows else 0,
-    } | closed.to_dict()
-    lines = [*_description_lines(grasp, document), _closure_line(grasp, closed)]
-    if has_load(arguments) or arguments.output is not None:
-        wrench = applied(arguments, grasp) if has_load(arguments) else None
+        "stiffness_given": given,
+    }
+    document |= known | closed.to_dict()
+    points = f" ({counted(len(grasp), 'point')})" if grasp.has_pads else ""
+    place = "in the plane" if grasp.dimension == 2 else "in space"
+    lines = [
+        f"contacts         {len(parts)}{points}, {place}",
+        *_numbered(map(contact_words, parts), len(parts)),
+        f"stiffness        {'given' if given else '1 (default)'}",
+        planes,
+        _closure_line(grasp, closed),
+    ]
+    wrench = applied(arguments, grasp) if has_load(arguments) else None
+    if wrench is not None or arguments.output is not None:
         return _give_report(arguments, grasp, wrench, document, lines)
     return show(arguments, document, lines, True, grasp)
 
 
 def _of_assembly(arguments: argparse.Namespace, bodies: Bodies) -> int:
     """Print bodies, contacts, and the rank of the tangential hyperplanes of an assembly."""
-    from arrangement.numbers.exact import primitive
-    from arrangement.numbers.linear.rank import rank
-
     check_options(arguments, "info", ASSEMBLY)
     assembly, wrenches = bodies.assembly, bodies.wrenches(required=False)
-    rows = [primitive(row.tangential_wrenches[0]) for row in assembly.rows]
-    known = {"tangential_hyperplanes": len(rows), "rank": rank(rows) if rows else 0}
-    lines = [f"bodies           {len(assembly.bodies)}"]
-    stated = wrenches if bodies.has_key else None
-    for name, wrench in wrenches.items():
-        lines.append(f"  {name}" if stated is None else f"  {name}  wrench {vector(wrench)}")
-    lines.append(f"contacts         {len(assembly)}")
-    for i, c in enumerate(assembly.contacts[:_MOST_CONTACTS], 1):
-        lines.append(f"  contact {i} {c.pair} {c.contact.words}")
-    if len(assembly) > _MOST_CONTACTS:
-        lines.append(f"  ... and {counted(len(assembly) - _MOST_CONTACTS, 'contact')} more")
-    planes = counted(len(rows), "tangential hyperplane")
-    lines.append(f"rank             {known['rank']} of {planes} in R^{assembly.rows.n}")
-    return show(arguments, assembly.to_dict(stated) | known, lines, True, assembly)
+    known, planes = _rank([row.tangential_wrenches[0] for row in assembly.rows])
+    words = (f"{c.pair} {c.contact.words}" for c in assembly.contacts)
+    lines = [
+        f"bodies           {len(assembly.bodies)}",
+        *(f"  {name}{f'  wrench {vector(w)}' * bodies.has_key}" for name, w in wrenches.items()),
+        f"contacts         {len(assembly)}",
+        *_numbered(words, len(assembly)),
+        f"{planes} in R^{assembly.rows.n}",
+    ]
+    document = assembly.to_dict(wrenches if bodies.has_key else None)
+    return show(arguments, document | known, lines, True, assembly)
 
 
-def _description_lines(grasp: Grasp, document: dict[str, Any]) -> Iterator[str]:
-    place = "in the plane" if grasp.dimension == 2 else "in space"
-    points = f" ({counted(len(grasp), 'point')})" if grasp.has_pads else ""
-    yield f"contacts         {len(grasp.parts)}{points}, {place}"
-    for i, part in enumerate(grasp.parts[:_MOST_CONTACTS], 1):
-        yield f"  contact {i} {contact_words(part)}"
-    if len(grasp.parts) > _MOST_CONTACTS:
-        yield f"  ... and {counted(len(grasp.parts) - _MOST_CONTACTS, 'contact')} more"
-    yield f"stiffness        {'given' if document['stiffness_given'] else '1 (default)'}"
-    planes = counted(document["tangential_hyperplanes"], "tangential hyperplane")
-    yield f"rank             {document['rank']} of {planes}"
+def _rank(wrenches: Sequence[RationalVector]) -> tuple[dict[str, int], str]:
+    """Return the number of tangential hyperplanes and their rank, for a document and as a line."""
+    known = {"tangential_hyperplanes": len(wrenches), "rank": rank(list(map(primitive, wrenches)))}
+    planes = counted(len(wrenches), "tangential hyperplane")
+    return known, f"rank             {known['rank']} of {planes}"
+
+
+def _numbered(words: Iterable[str], count: int) -> Iterator[str]:
+    """Yield lines for the first contacts, and how many more there are."""
+    for i, text in enumerate(islice(words, _MOST_CONTACTS), 1):
+        yield f"  contact {i} {text}"
+    if count > _MOST_CONTACTS:
+        yield f"  ... and {counted(count - _MOST_CONTACTS, 'contact')} more"
 
 
 def _closure_line(grasp: Grasp, closed: ForceClosure) -> str:
@@ -182,9 +184,13 @@ def _force_closure(arguments: argparse.Namespace) -> int:
     from equilibrium.methods.closure_friction import closure_friction
     from equilibrium.methods.force_closure import force_closure
     from equilibrium.methods.grasp_wrench_space import GraspWrenchSpace
+    from equilibrium.model.contact import pyramid_edges
 
-    grasp = grasp_of(arguments)
-    edges = _edges(arguments, grasp)
+    grasp, edges = grasp_of(arguments), arguments.cone or 4
+    if arguments.cone is not None:
+        pyramid_edges(edges, grasp.dimension)
+    if grasp.dimension == 3 and arguments.torque:
+        raise GraspError("--torque is for slices in the plane; omit it in space")
     length = Fraction(1) if arguments.torque_length is None else arguments.torque_length
     space = GraspWrenchSpace(grasp, arguments.norm or "L1", length, edges)
     closed = force_closure(grasp)
@@ -216,18 +222,6 @@ def _force_closure(arguments: argparse.Namespace) -> int:
         lines.append(f"resisted forces at torque {number(torque)}{turn}:")
         lines += (f"  {vector(c)}" for c in corners)
     return show(arguments, document, lines, closed.accepts, grasp)
-
-
-def _edges(arguments: argparse.Namespace, grasp: Grasp) -> int:
-    """Return the edges of the pyramids of a hull."""
-    from equilibrium.model.contact import pyramid_edges
-
-    edges: int = arguments.cone or 4
-    if arguments.cone is not None:
-        pyramid_edges(edges, grasp.dimension)
-    if grasp.dimension == 3 and arguments.torque:
-        raise GraspError("--torque is for slices in the plane; omit it in space")
-    return edges
 
 
 def _modes(arguments: argparse.Namespace) -> int:

@@ -59,15 +59,13 @@ def add_commands(commands: Any) -> None:
 
     text = "snap measured or simulated data in floats"
     floats = _add(kinds, "floats", text, "read_float_data", options=("tolerance",))
-    floats.add_argument(
-        "file", metavar="DATA", help="a JSON, .csv or .npz file, or - for stdin (JSON)"
-    )
+    text = "a JSON, .csv or .npz file, or - for stdin (JSON)"
+    floats.add_argument("file", metavar="DATA", help=text)
     text = "largest change of a coordinate or value"
     add_number(floats, "--tolerance", Fraction(1, 10**6), text)
+    text = "corners of the object, for pictures"
     for parser in (lines, floats):
-        parser.add_argument(
-            "--outline", nargs="+", metavar="X,Y", help="corners of the object, for pictures"
-        )
+        parser.add_argument("--outline", nargs="+", metavar="X,Y", help=text)
 
     text = "put contacts on the boundary of a polygon (JSON)"
     polygon = _add(kinds, "polygon", text, "read_polygon")
@@ -101,15 +99,8 @@ def add_commands(commands: Any) -> None:
     mesh.usual = "--random 4"
     number = values.rational_argument
     text = "points; each contact is at the nearest place of the surface"
-    mesh.add_argument(
-        "--at",
-        nargs="+",
-        type=number,
-        action=_CollectPoints,
-        default=[],
-        metavar="X Y Z",
-        help=text,
-    )
+    style: dict[str, Any] = {"action": _CollectPoints, "default": [], "metavar": "X Y Z"}
+    mesh.add_argument("--at", nargs="+", type=number, help=text, **style)
     add_count(mesh, "--random", 0, "of contacts drawn at random")
     add_count(mesh, "--seed", 0, "of the random numbers", "SEED")
     text = "draw where the outward normal is within 45 degrees of this direction"
@@ -166,19 +157,16 @@ def _add(
 
 
 def _add_output(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--units", nargs=2, metavar=("LENGTH", "FORCE"), help="what the numbers mean, as in: mm N"
-    )
+    text = "what the numbers mean, as in: mm N"
+    parser.add_argument("--units", nargs=2, metavar=("LENGTH", "FORCE"), help=text)
     parser.add_argument("-o", "--output", metavar="OUT.json", help="write the grasp file here")
 
 
 def _random(arguments: argparse.Namespace) -> int:
     from equilibrium.grasps.inputs import random_grasp, star_outline
 
-    if arguments.space:
-        grasp = random_grasp(arguments.contacts, arguments.seed, dimension=3)
-    else:
-        grasp = random_grasp(arguments.contacts, arguments.seed)
+    grasp = random_grasp(arguments.contacts, arguments.seed, dimension=2 + arguments.space)
+    if not arguments.space:
         grasp = grasp.with_outline(star_outline(grasp))
     return _give(arguments, {"grasp": _labelled(grasp, arguments).to_dict()})
 
@@ -228,9 +216,8 @@ def _shapes(arguments: argparse.Namespace) -> int:
         read = read_shapes(arguments.file, **{name: getattr(arguments, name) for name in names})
         kind = "assembly" if isinstance(read.subject, Assembly) else "grasp"
         made, remarks = read.to_dict(), read.remarks
-    if not arguments.json:
-        for remark in remarks:
-            print(f"note: {remark}", file=sys.stderr)
+    for remark in () if arguments.json else remarks:
+        print(f"note: {remark}", file=sys.stderr)
     return _give(arguments, {kind: made, **({"remarks": remarks} if remarks else {})})
 
 

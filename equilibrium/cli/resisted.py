@@ -49,18 +49,15 @@ def add_command_resisted(commands: Any) -> None:
     add_on_body(forms, "--along", text)
     add_on_body(parser)
     parser.description += " In space: along a load only, without --margin."
+    rational, contact = values.rational_argument, contact_number
     text = "planar grasps: find the smallest wrench that is not resisted, in any direction"
     forms.add_argument("--smallest", action="store_true", help=text)
     text = (
         "planar grasps: find the least force at this point, in any direction, with which the load "
+        "is no longer resisted"
     )
-    parser.add_argument(
-        "--best-direction",
-        nargs=2,
-        type=values.rational_argument,
-        metavar=("X", "Y"),
-        help=f"{text}is no longer resisted",
-    )
+    place = ("X", "Y")
+    parser.add_argument("--best-direction", nargs=2, type=rational, metavar=place, help=text)
     text = "planar grasps: only the plane spanned by two of fx, fy, tau or vectors such as 1,0,0"
     forms.add_argument("--slice", nargs=2, metavar=("U", "V"), type=spanning_wrench, help=text)
     text = "planar grasps: search for the largest force in N directions, as the paper does"
@@ -68,41 +65,32 @@ def add_command_resisted(commands: Any) -> None:
     text = "print by which factors the load may be scaled, and the least preload and friction"
     parser.add_argument("--margin", action="store_true", help=text)
     text = "with --margin: change the preload and friction of these contacts only"
-    numbers = contact_number
-    parser.add_argument("--contacts", nargs="+", type=numbers, metavar="NUMBER", help=text)
+    parser.add_argument("--contacts", nargs="+", type=contact, metavar="NUMBER", help=text)
     text = "with --contacts: another wrench that must be resisted with the preload; repeatable"
-    parser.add_argument(
-        "--also",
-        nargs=3,
-        action="append",
-        type=values.rational_argument,
-        metavar=("F_X", "F_Y", "TAU"),
-        help=text,
-    )
+    style: dict[str, Any] = {"action": "append", "metavar": ("F_X", "F_Y", "TAU")}
+    parser.add_argument("--also", nargs=3, type=rational, help=text, **style)
     text = "find the values of a letter in the file, as in t=0..1, with which its load is resisted"
     parser.add_argument("--parameter", metavar="LETTER=FROM..TO", help=text)
     text = "find the least friction of these contacts, with certificates just above and below it"
-    parser.add_argument("--friction", nargs="+", type=numbers, metavar="NUMBER", help=text)
+    parser.add_argument("--friction", nargs="+", type=contact, metavar="NUMBER", help=text)
     text = (
         "with a load: list the contacts of this file with which, each added alone, it is resisted"
     )
     parser.add_argument("--candidates", metavar="FILE", help=text)
     text = "with a load, --smallest or --best-direction: a wrench that acts as well (default: 0)"
-    add_wrench(parser, "--base", text, None)
+    add_wrench(parser, "--base", text)
     text = "with --smallest: divide torques by this to compare them with forces (default: 1)"
     add_number(parser, "--torque-length", None, text)
-    add_wrench(parser, "--origin", "with --slice: a wrench in the plane (default: 0)", None)
+    add_wrench(parser, "--origin", "with --slice: a wrench in the plane (default: 0)")
     text = "with --search: number of directions (default: 72)"
     parser.add_argument("--rays", type=values.count_argument, metavar="N", help=text)
     text = "with --search: largest magnitude tried (default: 1000)"
     add_number(parser, "--max-magnitude", None, text)
-    text = "accepted error of the friction of --margin (default: 1/1048576), of the magnitudes of "
-    add_number(
-        parser,
-        "--tolerance",
-        None,
-        f"{text}--search (default: 1/1000), of --parameter and --friction (default: 1/1000000)",
+    text = (
+        "accepted error of the friction of --margin (default: 1/1048576), of the magnitudes of "
+        "--search (default: 1/1000), of --parameter and --friction (default: 1/1000000)"
     )
+    add_number(parser, "--tolerance", None, text)
     add_displacement(parser)
 
 
@@ -164,6 +152,7 @@ def _form(arguments: argparse.Namespace) -> str:
 
 def _answer(arguments: argparse.Namespace, grasp: Grasp, form: str) -> Answer:
     """Return the answer about a grasp in one of the forms."""
+    from equilibrium.grasps.inputs.documents import question_document
     from equilibrium.wrench_sets import text
 
     resisted, base = _set(arguments, grasp), arguments.base or 0
@@ -175,7 +164,14 @@ def _answer(arguments: argparse.Namespace, grasp: Grasp, form: str) -> Answer:
             return text.spatial_answer(magnitudes)
         return text.along_answer(resisted, magnitudes)
     if form == "--margin":
-        return _margin(arguments, grasp, resisted)
+        wrench = applied(arguments, grasp)
+        question_document(grasp, wrench, "margin")
+        if grasp.dimension == 3:
+            raise GraspError(
+                "--margin is for grasps in the plane and assemblies; in space omit it: the "
+                "magnitudes t that are printed are the factors of the load"
+            )
+        return _margin(arguments, resisted, wrench)
     if form == BEST:
         load = _with_base(arguments, grasp) if has_load(arguments) else base or (0, 0, 0)
         return text.answer_of(resisted.best_direction(load, arguments.best_direction), grasp)
@@ -208,7 +204,7 @@ def _of_assembly(arguments: argparse.Namespace, bodies: Bodies) -> Answer:
     resisted = _set(arguments, bodies.assembly)
     try:
         if arguments.margin:
-            return _margin_of(arguments, resisted, wrenches)
+            return _margin(arguments, resisted, wrenches)
         magnitudes: Any = resisted.along(arguments.along, wrenches)
     except UndecidedError as unknown:
         return Answer(undecided(unknown), [f"undecided: {unknown}"], None)
@@ -251,20 +247,7 @@ def _with_base(arguments: argparse.Namespace, grasp: Grasp) -> list[Any]:
     return list(map(sum, zip(*loads, strict=True)))
 
 
-def _margin(arguments: argparse.Namespace, grasp: Grasp, resisted: ResistedSet) -> Answer:
-    from equilibrium.grasps.inputs.documents import question_document
-
-    wrench = applied(arguments, grasp)
-    question_document(grasp, wrench, "margin")
-    if grasp.dimension == 3:
-        raise GraspError(
-            "--margin is for grasps in the plane and assemblies; in space omit it: the magnitudes "
-            "t that are printed are the factors of the load"
-        )
-    return _margin_of(arguments, resisted, wrench)
-
-
-def _margin_of(arguments: argparse.Namespace, resisted: ResistedSet, load: Any) -> Answer:
+def _margin(arguments: argparse.Namespace, resisted: ResistedSet, load: Any) -> Answer:
     from equilibrium.wrench_sets.text import margin_answer
 
     chosen, also = arguments.contacts, arguments.also

@@ -23,9 +23,10 @@ from .arguments import (
     add_cone,
     add_displacement,
     add_on_body,
+    applied,
     bodies_of,
     force_given,
-    question_of,
+    grasp_of,
     show,
 )
 from .goes_with import ASSEMBLY, FULL_MODEL, GRASP, MANY, check_options
@@ -54,67 +55,37 @@ def add_command_solve(commands: Any) -> None:
     loads = add_applied(parser)
     parser.strays[r"[^-].*\.(csv|npz)"] = "--wrenches FILE for loads"
     add_on_body(loads)
-    loads.add_argument(
-        "--wrenches",
-        metavar="FILE",
-        help="for many grasps: the loads, a .csv with the columns f_x, f_y, tau (in space f_x to "
-        "tau_z) and, if each grasp has its own loads, grasp; or a .npz with an array wrenches",
+    text = (
+        "for many grasps: the loads, a .csv with the columns f_x, f_y, tau (in space f_x to tau_z) "
+        "and, if each grasp has its own loads, grasp; or a .npz with an array wrenches"
     )
-    many = parser.add_argument_group(
-        "many grasps (a .npz of arrays, or a .csv with a column grasp)"
-    )
-    many.add_argument(
-        "-o", "--output", metavar="OUT", help="write the answers, as .csv or .npz (default: stdout)"
-    )
+    loads.add_argument("--wrenches", metavar="FILE", help=text)
+    text = "many grasps (a .npz of arrays, or a .csv with a column grasp)"
+    many = parser.add_argument_group(text)
+    text = "write the answers, as .csv or .npz (default: stdout)"
+    many.add_argument("-o", "--output", metavar="OUT", help=text)
     terminal.add_worker_options(many, shard=False)
-    parser.add_argument(
-        "--certificate",
-        metavar="OUT.json",
-        help="write the certificate; with --robust the proof for all grasps, if there is one",
-    )
-    parser.add_argument(
-        "--time-limit",
-        metavar="SECONDS",
-        type=values.seconds_argument,
-        help="stop after SECONDS with exit code 2, in space 3",
-    )
+    text = "write the certificate; with --robust the proof for all grasps, if there is one"
+    parser.add_argument("--certificate", metavar="OUT.json", help=text)
+    text = "stop after SECONDS with exit code 2, in space 3"
+    parser.add_argument("--time-limit", metavar="SECONDS", type=values.seconds_argument, help=text)
     add_cone(parser)
     add_displacement(parser)
-    parser.add_argument(
-        "--robust",
-        nargs="+",
-        type=_bound,
-        metavar="NAME=Q",
-        help="decide whether the verdict holds for all grasps within degrees=2 (of normals), "
-        "length=Q (of points), friction=5%%, stiffness=Q, preload=Q; exit code 0 proved, 1 no, "
-        "3 undecided",
+    text = (
+        "decide whether the verdict holds for all grasps within degrees=2 (of normals), length=Q "
+        "(of points), friction=5%%, stiffness=Q, preload=Q; exit code 0 proved, 1 no, 3 undecided"
     )
-    parser.add_argument(
-        "--shorten",
-        action="store_true",
-        help="search longer for a smaller proof that the load is not resisted",
-    )
-    parser.add_argument(
-        "--all",
-        action="store_true",
-        help="list all equilibria also of more than 20 contacts and of an assembly",
-    )
+    parser.add_argument("--robust", nargs="+", type=_bound, metavar="NAME=Q", help=text)
+    text = "search longer for a smaller proof that the load is not resisted"
+    parser.add_argument("--shorten", action="store_true", help=text)
+    text = "list all equilibria also of more than 20 contacts and of an assembly"
+    parser.add_argument("--all", action="store_true", help=text)
     other = parser.add_mutually_exclusive_group()
-    other.add_argument(
-        "--methods",
-        nargs="*",
-        metavar="NAME",
-        help="compare with other methods, such as weak or wrench-space (no name: all)",
-    )
-    other.add_argument(
-        "--as-printed",
-        nargs="+",
-        action="extend",
-        default=[],
-        choices=AS_PRINTED,
-        metavar="OPTION",
-        help=f"follow the text as printed in the paper: {', '.join(AS_PRINTED)}",
-    )
+    text = "compare with other methods, such as weak or wrench-space (no name: all)"
+    other.add_argument("--methods", nargs="*", metavar="NAME", help=text)
+    text = f"follow the text as printed in the paper: {', '.join(AS_PRINTED)}"
+    style: dict[str, Any] = {"nargs": "+", "action": "extend", "default": [], "metavar": "OPTION"}
+    other.add_argument("--as-printed", choices=AS_PRINTED, help=text, **style)
 
 
 def _bound(text: str) -> tuple[str, str]:
@@ -135,7 +106,10 @@ def _solve(arguments: argparse.Namespace) -> int:
         return _many(arguments)
     bodies = bodies_of(arguments)
     check_options(arguments, "solve", GRASP if bodies is None else ASSEMBLY, form)
-    return answer(arguments, *question_of(arguments, bodies))
+    if bodies is not None:
+        return answer(arguments, bodies.assembly, bodies.wrenches(arguments.on))
+    grasp = grasp_of(arguments)
+    return answer(arguments, grasp, applied(arguments, grasp))
 
 
 def _many(arguments: argparse.Namespace) -> int:
