@@ -92,7 +92,7 @@ def _nearest(wanted: RationalVector, bound: Fraction) -> UnitNormal:
         return UnitNormal(tuple(x / length for x in wanted), Fraction(0))
     # Directions in space are in integers, of which the tangents need no length.
     whole = without_denominators(wanted)
-    limit = 1
+    limit, scale = 1, max(10**20, math.ceil(10 / bound))
     while True:
         if len(wanted) == 2:
             normal = _near(wanted, limit)
@@ -101,7 +101,7 @@ def _nearest(wanted: RationalVector, bound: Fraction) -> UnitNormal:
                 return UnitNormal(normal, error)
         else:
             along, unit = _near_in_space(whole, limit)
-            error = _tangent_in_space(whole, along)
+            error = _tangent_in_space(whole, along, scale)
             if error is not None and error <= bound:
                 return UnitNormal(tuple(Fraction(x, unit) for x in along), error)
         limit *= 2
@@ -177,14 +177,19 @@ def _root(square: Fraction, limit: int) -> Fraction:
     return Fraction(math.isqrt(scaled.numerator // scaled.denominator), 1 << digits)
 
 
-def _tangent_in_space(wanted: Sequence[Any], unit: Sequence[Any]) -> Fraction | None:
-    """Return a rational just above the tangent of the angle; None at a right angle or beyond."""
+def _tangent_in_space(
+    wanted: Sequence[Any], unit: Sequence[Any], scale: int = 10**20
+) -> Fraction | None:
+    """Return the tangent of the angle, rounded up to a multiple of 1 / scale.
+
+    None at a right angle or beyond.
+    """
     cosine = dot(wanted, unit)
     if cosine <= 0:
         return None
     sines = cross(wanted, unit)
-    scaled = dot(sines, sines) * 10**40 // (cosine * cosine)
-    return Fraction(math.isqrt(scaled) + 1, 10**20)
+    scaled = dot(sines, sines) * scale**2 // (cosine * cosine)
+    return Fraction(math.isqrt(scaled) + 1, scale)
 
 
 def _tangent(wanted: RationalVector, unit: RationalVector) -> Fraction | None:

@@ -933,6 +933,11 @@ class TestModel:
         if not seed:
             assert (found, error) == ((Fraction(2, 7), Fraction(-3, 7), Fraction(6, 7)), 0)
 
+    def test_unit_normal_within_a_tiny_tolerance(self):
+        found, error = unit_normal([1, 1, 1], Fraction(1, 10**30))
+        assert dot(found, found) == 1
+        assert 0 < error <= Fraction(1, 10**30)
+
     @pytest.mark.parametrize("normal", [(0, 0, 1), (0, 0, -1), (1, 0, 0), ("3/5", 0, "-4/5")])
     def test_tangents_and_normal_are_a_right_handed_frame(self, normal):
         contact = Contact((0, 0, 0), normal, 1)
