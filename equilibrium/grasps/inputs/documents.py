@@ -26,13 +26,8 @@ from .conversion import (
     contact_entries,
     unit_normals,
 )
-from .csv_file import is_table, read_bodies, read_csv
+from .csv_file import BODIES, is_table, read_bodies, read_csv
 from .incidences import converted, rounding
-
-#: What a contact between bodies has besides.
-_BODY_KEYS = ("body_a", "body_b")
-#: With the mark whether the stiffness was given.
-_WITH_MARK = (*VALUES, "stiffness_given")
 
 
 def question_document(grasp: Grasp, wrench: Any, taker: str) -> dict[str, Any]:
@@ -97,7 +92,7 @@ def read_any(
     conversion = converted(
         [contact.point for contact in whole],
         [directions[group.start] for group in grasp.groups],
-        [{name: getattr(contact, name) for name in _WITH_MARK} for contact in whole],
+        [{x: getattr(contact, x) for x in (*VALUES, "stiffness_given")} for contact in whole],
         rounding(0, tolerance, angle_tolerance, as_given),
         outline=grasp.outline,
     )
@@ -132,12 +127,12 @@ def with_unit_normals(
     """
     entries = check_list(document["contacts"], "contacts")
     for i, entry in enumerate(entries):
-        check_keys(entry, _BODY_KEYS, entry, f"contacts[{i}]")
-    bare = [{key: x for key, x in row.items() if key not in _BODY_KEYS} for row in entries]
+        check_keys(entry, BODIES, entry, f"contacts[{i}]")
+    bare = [{key: x for key, x in row.items() if key not in BODIES} for row in entries]
     source = {"schema_version": 1, "contacts": bare}
     conversion = read_any(source, round_normals=True, as_given=as_given)
     contacts = [
-        {**{key: row[key] for key in _BODY_KEYS}, **contact.to_dict()}
+        {**{key: row[key] for key in BODIES}, **contact.to_dict()}
         for row, contact in zip(entries, conversion.grasp, strict=True)
     ]
     error = conversion.grasp.data_error
