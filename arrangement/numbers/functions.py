@@ -10,7 +10,7 @@ answer that they have at the value: a computation then shows how far its result 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
@@ -57,6 +57,13 @@ class Span:
         below = Span(self.low, part.low, self.has_low, not part.has_low)
         above = Span(part.high, self.high, not part.has_high, self.has_high)
         return [x for x in (below, above) if x.low < x.high or (x.has_low and x.has_high)]
+
+    def without(self, parts: Iterable[Span]) -> list[Span]:
+        """Return what disjoint parts of this, in order, leave of it."""
+        left = [self]
+        for part in parts:
+            left[-1:] = left[-1].around(part)  # what is above a part is last
+        return left
 
     def __str__(self) -> str:
         ends = f"{to_text(self.low)}, {to_text(self.high)}"

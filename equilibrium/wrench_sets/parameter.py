@@ -298,10 +298,7 @@ class _Search:
 
     def _gaps(self) -> list[Span]:
         """Return the intervals of values without a proof, in order."""
-        gaps = [self.between]
-        for piece in self.pieces:
-            gaps[-1:] = gaps[-1].around(piece.span)  # what is above it is last
-        return gaps
+        return self.between.without(piece.span for piece in self.pieces)
 
     def _next_value(self) -> tuple[Fraction, Span] | None:
         """Return a value to ask at and the gap that it is in; None if there is none left.

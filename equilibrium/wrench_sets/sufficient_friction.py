@@ -50,12 +50,11 @@ class SufficientFriction(JsonMixin):
     @property
     def low(self) -> Fraction | None:
         """No coefficient below this one is enough, proved; None if it is proved that none is."""
-        open_from = _first_not(self.up_to_1.not_resisted, self.up_to_1.between)
-        if open_from is not None or self.from_1 is None:
-            return open_from
-        turned = [Span(-x.high, -x.low, x.has_high, x.has_low) for x in self.from_1.not_resisted]
-        end = _first_not(turned[::-1], Span(Fraction(-1), Fraction(0), has_high=False))
-        return None if end is None else -1 / end
+        below, above = (
+            values.between.without(values.not_resisted) if values else []
+            for values in (self.up_to_1, self.from_1)
+        )
+        return below[0].low if below else 1 / above[-1].high if above else None
 
     @property
     def high(self) -> Fraction | None:
@@ -74,16 +73,6 @@ class SufficientFriction(JsonMixin):
     def values(self) -> ResistedValues:
         """The answers that have the least coefficient."""
         return self.from_1 or self.up_to_1
-
-
-def _first_not(spans: Iterable[Span], whole: Span) -> Fraction | None:
-    """Return where disjoint intervals in order leave an interval open first; None: nowhere."""
-    reached, has = whole.low, not whole.has_low
-    for span in spans:
-        if span.low != reached or not (has or span.has_low):
-            break
-        reached, has = span.high, span.has_high
-    return None if (reached, has or not whole.has_high) == (whole.high, True) else reached
 
 
 @hints_on_arguments(ARGUMENTS)
