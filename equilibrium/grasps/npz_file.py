@@ -67,10 +67,8 @@ def read_npz(
         ) from None
     missing = ", ".join(name for name in required if name not in arrays)
     unknown = ", ".join(shown(name) for name in arrays if name not in known)
-    if missing or unknown:
-        faults = [f"no array {missing}"] * bool(missing) + [f"unknown arrays {unknown}"] * bool(
-            unknown
-        )
+    lists = (("no array", missing), ("unknown arrays", unknown))
+    if faults := [f"{fault} {names}" for fault, names in lists if names]:
         remedy = f"; such as numpy.savez({str(path)!r}, **numpy.load({str(path)!r}), friction=0.5)"
         raise GraspError(
             f"{path} has {' and '.join(faults)}; expected {', '.join(required)}"
