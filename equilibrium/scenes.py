@@ -75,8 +75,7 @@ class EngineScene(ReprMixin):
     repr_fields = ("grasp", "directions")
 
     def __init__(self, grasp: Grasp, directions: Iterable[Iterable[Any]] | None = None) -> None:
-        many = grasp.wrench_size
-        axes = [[int(i == k) for i in range(many)] for k in range(many)]
+        axes = np.eye(grasp.wrench_size, dtype=int).tolist()
         loads = axes if directions is None else directions
         self.grasp = grasp
         self.directions = tuple(grasp.read_wrench(x) for x in loads)
@@ -298,5 +297,5 @@ def benchmark() -> Iterator[tuple[str, EngineScene]]:
 
 def _loads(dimension: int, seed: int) -> list[Sequence[Any]]:
     length = 3 * dimension - 3
-    axes = [[int(i == place) for i in range(length)] for place in (dimension - 1, length - 1)]
+    axes = np.eye(length, dtype=int)[[dimension - 1, length - 1]].tolist()
     return [*axes, random_wrench(seed, dimension=dimension)]
