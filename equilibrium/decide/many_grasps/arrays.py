@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from itertools import chain
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from arrangement.numbers.exact import RationalVector, shown
 from arrangement.numbers.float_filter import EXACT, Booleans, Floats
-from equilibrium.model.contact import VALUES, WRENCH_SIZES, Contact
+from equilibrium.model.contact import VALUES, WRENCH_SIZES
 from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 
@@ -119,42 +118,39 @@ def near_floats(
     """
     if dimension is None:
         dimension = next((grasp.dimension for grasp in grasps if len(grasp)), 2)
-    sizes = {"point": dimension, "normal": dimension, **dict.fromkeys(VALUES, 1)}
     rounded = False
 
-    def filled(rows: Sequence[Sequence[RationalVector]], size: int) -> Floats:
+    def filled(rows: Iterable[Sequence[Sequence[Fraction]]], size: int) -> Floats:
         nonlocal rounded
-        most = max(map(len, rows), default=0)
-        table = np.full((len(rows), most, size), np.nan)
+        rows = list(rows)
+        table = np.full((len(rows), max(map(len, rows), default=0), size), np.nan)
         for i, row in enumerate(rows):
             if i and row is rows[i - 1]:  # the same loads
                 table[i] = table[i - 1]
-            elif row:
-                near = [list(map(near_float, numbers)) for numbers in row]
-                table[i, : len(row)] = near
-                pairs = zip(chain(*near), chain(*row), strict=True)
+                continue
+            for j, numbers in enumerate(row):
+                table[i, j] = near = list(map(near_float, numbers))
+                pairs = zip(near, numbers, strict=True)
                 rounded |= any(not math.isfinite(x) or Fraction(x) != y for x, y in pairs)
         return table
 
-    columns = {
-        name: filled([[_entry(c, name) for c in grasp] for grasp in grasps], size)
-        for name, size in sizes.items()
-    }
-    totals = [
-        [grasp.total_load(load) for load in own] if any(c.adhesion for c in grasp) else own
-        for grasp, own in zip(grasps, loads, strict=True)
-    ]
-    places, ways = columns["point"], columns["normal"]
-    places[np.isinf(ways).any(axis=2)] = np.inf
-    values = [columns[name][..., 0] for name in VALUES]
-    return (places, ways, *values, filled(totals, WRENCH_SIZES[dimension])), rounded
-
-
-def _entry(contact: Contact, name: str) -> RationalVector:
-    value: Any = getattr(contact, name)
-    if name == "adhesion":
-        return (Fraction(0),)
-    return value if isinstance(value, tuple) else (value,)
+    contacts = filled(
+        (
+            [(*c.point, *c.normal, c.friction, c.stiffness, c.preload, Fraction(0)) for c in grasp]
+            for grasp in grasps
+        ),
+        2 * dimension + len(VALUES),
+    )
+    wrenches = filled(
+        (
+            [grasp.total_load(load) for load in own] if any(c.adhesion for c in grasp) else own
+            for grasp, own in zip(grasps, loads, strict=True)
+        ),
+        WRENCH_SIZES[dimension],
+    )
+    points, normals, values = np.split(contacts, [dimension, 2 * dimension], axis=2)
+    points[np.isinf(normals).any(axis=2)] = np.inf
+    return (points, normals, *np.moveaxis(values, 2, 0), wrenches), rounded
 
 
 def near_float(value: Fraction) -> float:
