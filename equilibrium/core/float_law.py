@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cached_property
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, Self, TypeAlias
 
 import numpy as np
 
@@ -57,6 +57,16 @@ def _with_friction(normal: Floats, tangents: Floats, friction: Floats) -> Floats
     """Return the wrenches of normal forces of 1 with friction (..., m, t)."""
     wrenches: Floats = normal + np.einsum("...t,...tn->...n", friction, tangents)
     return wrenches
+
+
+class Batch:
+    """Arrays of many questions, or of many regions; an index takes some of these."""
+
+    def __getitem__(self, rows: Any) -> Self:
+        part = object.__new__(type(self))
+        for name, value in vars(self).items():
+            setattr(part, name, value[rows] if isinstance(value, np.ndarray | Batch) else value)
+        return part
 
 
 class FloatLaw:

@@ -228,15 +228,15 @@ def _screened(_: None, batch: tuple[Any, bool, Arrays]) -> tuple[Any, Booleans, 
         )
         # The wrench of adhesion is not known in floats exactly, as loads are.
         left = np.flatnonzero(usable & ~(adhesion > 0).any(axis=1))
-        decided[left] = are_outside_cones(asked.take(left))
+        decided[left] = are_outside_cones(asked[left])
         left = left[~decided[left]]
-        resisted[left] = have_equilibria(asked.take(left))
+        resisted[left] = have_equilibria(asked[left])
         for nodes in _NODES if size == 3 else ():
             left = left[~resisted[left]]
-            refuted, motions = have_no_equilibria(asked.take(left), nodes)
+            refuted, motions = have_no_equilibria(asked[left], nodes)
             decided[left] = refuted
             left = left[~refuted]
-            resisted[left] = have_equilibria(asked.take(left), motions[~refuted])
+            resisted[left] = have_equilibria(asked[left], motions[~refuted])
     shape = count, loads
     return rows, resisted.reshape(shape), (decided | resisted).reshape(shape)
 

@@ -15,6 +15,8 @@ solution of ``A z = b``. All bounds are taken over all numbers within the errors
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from arrangement.numbers.float_filter import Booleans, Floats
@@ -35,8 +37,6 @@ from .questions import Questions
 #: Where a path starts that starts near an equilibrium.
 _NEAR = 1e-2
 _MAX_NEWTON_STEPS = 20
-#: Steps to the motion of contact states.
-_STATE_STEPS = 4
 #: Contacts that stick while others slip, at most: with three the motion is 0, mostly.
 _MAX_STICKING = 2
 #: Above the rounding errors of a bound's own computation.
@@ -56,22 +56,22 @@ def have_equilibria(questions: Questions, starts: Floats | None = None) -> Boole
     motion = np.zeros_like(q.load) if starts is None else starts
     eps, factor = np.full(len(q), first / SMOOTHING_FACTOR), np.full(len(q), SMOOTHING_FACTOR)
     for _ in range(MAX_PATH_STEPS):
-        if not len(rows):
-            break
         sharper = eps * factor
         end, residual = _newton(balance, motion, sharper[:, None, None])
         tried = np.flatnonzero((sharper < SHARP) & (residual < 1))
-        holds = np.zeros(len(q), dtype=bool)
+        holds = np.zeros(len(rows), dtype=bool)
         if len(tried):
             near = balance.take(tried)
             force, share, _ = near.forces(end[tried], sharper[tried, None, None])
-            holds[tried] = _exists_near(q.take(tried), near, end[tried], force[..., 0], share)
+            holds[tried] = _exists_near(q[tried], near, end[tried], force[..., 0], share)
         proved[rows[holds]] = True
         good = residual <= PATH_RESIDUAL
-        going = ~holds & np.where(good, sharper >= SHARPEST, factor <= MAX_SMOOTHING_FACTOR)
         motion, eps = np.where(good[:, None], end, motion), np.where(good, sharper, eps)
+        going = ~holds & np.where(good, sharper >= SHARPEST, factor <= MAX_SMOOTHING_FACTOR)
         factor = np.where(good, np.maximum(factor**2, SMOOTHING_FACTOR), factor**0.5)
-        rows, q, balance = rows[going], q.take(going), balance.take(going)
+        if not going.any():
+            break
+        rows, q, balance = rows[going], q[going], balance.take(going)
         motion, eps, factor = motion[going], eps[going], factor[going]
     return proved
 
@@ -117,6 +117,13 @@ def _solved(matrix: Floats, right: Floats) -> Floats:
     return finite
 
 
+def _inverse(matrix: Floats) -> Any:
+    try:
+        return np.linalg.inv(matrix)
+    except np.linalg.LinAlgError:
+        return np.linalg.pinv(np.nan_to_num(matrix))
+
+
 def _exists_near(
     q: Questions, balance: Balance, motion: Floats, force: Floats, ratio: Floats
 ) -> Booleans:
@@ -126,130 +133,105 @@ def _exists_near(
         force: of springs, (n, m); ratio: of friction to its limits, (n, m, t).
     """
     on = (force > 0) & q.present
-    share = q.friction * np.maximum(force, 0.0)
     sticks = on & (q.friction > 0) & (norms(ratio) <= SLIP_SHARE)
+    friction = (q.friction * np.maximum(force, 0.0))[..., None] * ratio
     exists = np.zeros(len(q), dtype=bool)
     few = np.flatnonzero(np.count_nonzero(sticks, axis=1) <= _MAX_STICKING)
     if len(few):
-        part = _FixedStates(q.take(few), balance.take(few), on[few], sticks[few])
-        exists[few] = part.hold(motion[few], (share[..., None] * ratio)[few])
+        near = q[few], balance.take(few), on[few], sticks[few], motion[few], friction[few]
+        exists[few] = _exist_in_states(*near)
     rest = np.flatnonzero(~exists & np.any(q.preload > 0, axis=1))
     if len(rest):
-        exists[rest] = _at_rest(q.take(rest), ratio[rest])
+        exists[rest] = _at_rest(q[rest], ratio[rest])
     return exists
 
 
-class _FixedStates:
-    """The balance and the conditions of n questions whose contact states are fixed.
+def _exist_in_states(
+    q: Questions,
+    balance: Balance,
+    on: Booleans,
+    sticks: Booleans,
+    motion: Floats,
+    friction: Floats,
+) -> Booleans:
+    """Return where an equilibrium of fixed contact states surely exists near a motion.
 
-    Attributes:
-        on, slides: (n, m), which contacts are loaded, and which of these slip.
-        stuck: (n, s), numbers of the sticking contacts, s at most 2, padded with other contacts.
-        real: (n, s), which entries of `stuck` are not padding.
-        pulls: (n, s t, k), the t tangential wrenches of each contact in `stuck`, 0 for padding.
+    Args:
+        on, sticks: (n, m), which contacts are loaded, and which of these stick, two at most.
+        friction: forces near those of contacts that stick, (n, m, t).
     """
+    (n, m, t), k, mu = friction.shape, motion.shape[1], q.friction
+    slides = on & (mu > 0) & ~sticks
+    # The contacts that stick, and others in place of missing ones, without effect.
+    stuck = np.arange(n)[:, None], np.argsort(~sticks, axis=1, kind="stable")[:, :_MAX_STICKING]
+    real = sticks[stuck]
+    filled = np.repeat(~real, t, axis=1)
+    pulls = np.where(real[..., None, None], q.tangents[stuck], 0.0).reshape(n, -1, k)
 
-    def __init__(self, q: Questions, balance: Balance, on: Booleans, sticks: Booleans) -> None:
-        self.q, self.balance, self.on, self.sticks = q, balance, on, sticks
-        self.slides = on & (q.friction > 0) & ~sticks
-        self.stuck = np.argsort(~sticks, axis=1, kind="stable")[:, :_MAX_STICKING]
-        self.real = np.take_along_axis(sticks, self.stuck, axis=1)
-        pulls = q.tangents[np.arange(len(q))[:, None], self.stuck]
-        self.pulls = np.where(self.real[..., None, None], pulls, 0.0)
-        self.n, (self.k, self.t) = len(q), (q.load.shape[1], q.tangents.shape[2])
-        self.pulls = self.pulls.reshape(self.n, -1, self.k)
-        self.weight = np.where(on, q.stiffness, 0.0)
-
-    def _at(self, z: Floats) -> tuple[Floats, Floats]:
-        """Return F and its Jacobian; forces of springs are kept."""
-        k, motion = self.k, z[:, : self.k]
-        self.spring, _, total, derivative = self.balance.in_states(motion, self.on, self.slides)
-        filled = np.repeat(~self.real, self.t, axis=1)
-        value = np.zeros_like(z)
-        value[:, :k] = total + (z[:, None, k:] @ self.pulls)[:, 0]
-        value[:, k:] = products(self.pulls, motion) + np.where(filled, z[:, k:], 0.0)
+    def system(z: Floats) -> tuple[Floats, Floats, Floats]:
+        """Return F, its Jacobian, and forces of springs."""
+        spring, _, total, derivative = balance.in_states(z[:, :k], on, slides)
+        total = total + (z[:, None, k:] @ pulls)[:, 0]
+        value = np.concatenate([total, products(pulls, z[:, :k])], axis=1)
         jacobian = np.zeros((*z.shape, z.shape[1]))
         jacobian[:, :k, :k] = derivative()
-        jacobian[:, :k, k:], jacobian[:, k:, :k] = self.pulls.transpose(0, 2, 1), self.pulls
+        jacobian[:, :k, k:], jacobian[:, k:, :k] = pulls.transpose(0, 2, 1), pulls
         i = np.arange(k, z.shape[1])
         jacobian[:, i, i] = filled
-        return value, jacobian
+        return value, jacobian, spring
 
-    def hold(self, motion: Floats, friction: Floats) -> Booleans:
-        """Return where there is an equilibrium near a motion and friction forces (n, m, t)."""
-        forces = friction[np.arange(self.n)[:, None], self.stuck] * self.real[..., None]
-        z = np.concatenate([motion, forces.reshape(self.n, -1)], axis=1)
-        for _ in range(_STATE_STEPS if self.t == 2 else 2):
-            value, jacobian = self._at(z)
-            z = z - _solved(jacobian, value)
-        return self._enclosed(z)
+    forces = (friction[stuck] * real[..., None]).reshape(n, -1)
+    z = np.concatenate([motion, forces], axis=1)
+    for _ in range(2 * t):
+        value, jacobian, _ = system(z)
+        z = z - _solved(jacobian, value)
+    value, jacobian, spring = system(z)
+    inverse, size = _inverse(jacobian), norms(q.slips(z[:, :k]))
+    magnitude, force = np.abs(inverse), np.abs(spring)
+    tilt, rounding = q.tilt + q.rounding, (m + 16) * q.unit
+    way, width = products(q.reach, np.abs(z[:, :k])), q.reach.sum(axis=2)
 
-    def _enclosed(self, z: Floats) -> Booleans:
-        """Return where F surely has a zero in a box around z in which all inequalities hold."""
-        q, k, m = self.q, self.k, self.q.normal.shape[1]
-        value, jacobian = self._at(z)
-        self.size = norms(q.slips(z[:, :k]))
-        try:
-            inverse = np.linalg.inv(jacobian)
-        except np.linalg.LinAlgError:
-            inverse = np.linalg.pinv(np.nan_to_num(jacobian))
-        magnitude = np.abs(inverse)
-        reach, tilt, mu = q.reach, q.tilt + q.rounding, q.friction
-        way, width = products(reach, np.abs(z[:, :k])), reach.sum(axis=2)
-        # Errors at z' itself: of springs, directions of slips, and so of the balance.
-        spring, missed = self._errors(way)
-        turned = self._turned(missed)
-        share = np.where(self.on, spring, 0.0) * (1 + mu)
-        share += np.where(self.on, np.abs(self.spring), 0.0) * ((1 + mu) * tilt + mu * turned)
-        held = np.zeros_like(tilt)
-        pulled = norms(z[:, k:].reshape(self.n, -1, self.t)) * self.real
-        np.put_along_axis(held, self.stuck, pulled, axis=1)
-        rounding = (m + 16) * q.unit
-        share += held * tilt + rounding * (np.abs(self.spring) * self.on * (1 + mu) + held)
-        error = np.zeros_like(z)
-        error[:, :k] = (share[:, None] @ reach)[:, 0] + rounding * np.abs(q.load)
-        stuck = np.take_along_axis(missed, self.stuck, axis=1) * self.real
-        error[:, k:] = np.repeat(stuck, self.t, axis=1)
-        radius = 2.1 * _MARGIN * products(magnitude, np.abs(value) + error).max(axis=1)[:, None]
-        # Errors in the whole box, of the Jacobian too.
-        spring, missed = self._errors(way + radius * width)
-        spring, missed = spring + q.stiffness * radius * width, missed + 1.5 * radius * width
-        turned, least = self._turned(missed), self.size - missed
-        arm = (1 + mu) * tilt + mu * turned
-        unsure = self.weight * (arm + (1 + mu + arm) * tilt + rounding * (1 + mu))
-        if self.t == 2:
-            bent = spring / least + (np.abs(self.spring) + spring) * (
-                3 * missed / (least * least) + 3 * tilt / least
-            )
-            # Two tangents: twice as many terms, of at most twice their entries' size together.
-            bent += 4 * rounding * np.abs(self.spring) / self.size
-            unsure += np.where(self.slides, mu * bent, 0.0)
-        errors = np.zeros_like(jacobian)
-        errors[:, :k, :k] = reach.transpose(0, 2, 1) @ (unsure[..., None] * reach)
-        rows = np.take_along_axis(tilt[..., None] * reach, self.stuck[..., None], axis=1)
-        rows = np.repeat(rows * self.real[..., None], self.t, axis=1)
-        errors[:, k:, :k], errors[:, :k, k:] = rows, rows.transpose(0, 2, 1)
-        far = np.abs(np.eye(z.shape[1]) - inverse @ jacobian)
-        far += magnitude @ (errors + (z.shape[1] + 4) * q.unit * np.abs(jacobian))
-        proved = _MARGIN * far.sum(axis=2).max(axis=1) < 0.5
-        sure = np.where(self.on, self.spring > _MARGIN * spring, self.spring < -_MARGIN * spring)
-        sure &= ~self.slides | (self.size > _MARGIN * missed)
-        most = (1 - 8 * q.unit) * mu * (self.spring - _MARGIN * spring)
-        sure &= ~self.sticks | (held + 1.5 * radius < most)
-        holds: Booleans = proved & (sure | ~q.present).all(axis=1) & np.isfinite(radius[:, 0])
-        return holds
+    def errors(radius: Floats | float) -> tuple[Floats, Floats, Floats]:
+        """Return errors of springs, slips and unit vectors along slips, in a box around z."""
+        tilted = _MARGIN * tilt * (way + radius * width)
+        springs = q.stiffness * tilted + 5 * q.unit * (q.preload + force)
+        missed = 1.5 * tilted + 1.5 * radius * width
+        turned = np.where(slides, missed / (size - missed) + 8 * q.unit, 0.0) if t > 1 else 0 * size
+        return springs + q.stiffness * radius * width, missed, turned
 
-    def _errors(self, way: Floats) -> tuple[Floats, Floats]:
-        """Return errors of springs and of slips (lengths) that go this far in each wrench."""
-        q = self.q
-        tilted = _MARGIN * (q.tilt + q.rounding) * way
-        return q.stiffness * tilted + 5 * q.unit * (q.preload + np.abs(self.spring)), 1.5 * tilted
-
-    def _turned(self, missed: Floats) -> Floats:
-        """Return how far unit vectors along slips are off where slips are off so far."""
-        if self.t == 1:
-            return np.zeros_like(missed)
-        return np.where(self.slides, missed / (self.size - missed) + 8 * self.q.unit, 0.0)
+    springs, missed, turned = errors(0.0)
+    held = np.zeros_like(tilt)
+    held[stuck] = norms(z[:, k:].reshape(n, -1, t)) * real
+    share = np.where(on, springs, 0.0) * (1 + mu)
+    share += np.where(on, force, 0.0) * ((1 + mu) * tilt + mu * turned)
+    share += held * tilt + rounding * (force * on * (1 + mu) + held)
+    error = (share[:, None] @ q.reach)[:, 0] + rounding * np.abs(q.load)
+    error = np.concatenate([error, np.repeat(missed[stuck] * real, t, axis=1)], axis=1)
+    radius = 2.1 * _MARGIN * products(magnitude, np.abs(value) + error).max(axis=1)[:, None]
+    # In the whole box, of the Jacobian too.
+    springs, missed, turned = errors(radius)
+    arm, least = (1 + mu) * tilt + mu * turned, size - missed
+    unsure = np.where(on, q.stiffness, 0.0) * (arm + (1 + mu + arm) * tilt + rounding * (1 + mu))
+    if t > 1:
+        bent = springs / least + (force + springs) * (
+            3 * missed / (least * least) + 3 * tilt / least
+        )
+        # Two tangents: twice as many terms, of at most twice their entries' size together.
+        bent += 4 * rounding * force / size
+        unsure += np.where(slides, mu * bent, 0.0)
+    doubt = (z.shape[1] + 4) * q.unit * np.abs(jacobian)
+    doubt[:, :k, :k] += q.reach.transpose(0, 2, 1) @ (unsure[..., None] * q.reach)
+    rows = np.repeat((tilt[..., None] * q.reach)[stuck] * real[..., None], t, axis=1)
+    doubt[:, k:, :k] += rows
+    doubt[:, :k, k:] += rows.transpose(0, 2, 1)
+    far = np.abs(np.eye(z.shape[1]) - inverse @ jacobian) + magnitude @ doubt
+    sure = np.where(on, spring, -spring) > _MARGIN * springs
+    sure &= ~slides | (size > _MARGIN * missed)
+    most = (1 - 8 * q.unit) * mu * (spring - _MARGIN * springs)
+    sure &= ~sticks | (held + 1.5 * radius < most)
+    contracts = (_MARGIN * far.sum(axis=2).max(axis=1) < 0.5) & np.isfinite(radius[:, 0])
+    exist: Booleans = contracts & (sure | ~q.present).all(axis=1)
+    return exist
 
 
 def _at_rest(q: Questions, ratio: Floats) -> Booleans:
@@ -258,28 +240,23 @@ def _at_rest(q: Questions, ratio: Floats) -> Booleans:
     most = q.friction * q.preload
     rows = (most[..., None, None] * q.tangents).reshape(n, m * t, k)
     reach = np.repeat(most[..., None] * q.reach, t, axis=1)
-    spread = (np.repeat(q.tilt, t, axis=1) + q.rounding)[..., None] * reach
+    rounding = (m * t + 6) * q.unit * reach
+    spread = (np.repeat(q.tilt, t, axis=1) + q.rounding)[..., None] * reach + rounding
     right = -q.load - (q.preload[:, None] @ q.normal)[:, 0]
     wide = (q.preload * (q.tilt + q.rounding + m * q.unit))[:, None] @ q.reach
-    right_error = wide[:, 0] + (m + 8) * q.unit * np.abs(q.load)
     square = rows.transpose(0, 2, 1) @ rows
     size = np.trace(square, axis1=1, axis2=2) + 1e-300
-    square += 1e-15 * size[:, None, None] * np.eye(k)
-    try:
-        inverse = rows @ np.linalg.inv(square)
-    except np.linalg.LinAlgError:
-        inverse = rows @ np.linalg.pinv(square)
+    inverse = rows @ _inverse(square + 1e-15 * size[:, None, None] * np.eye(k))
     share = np.clip(ratio, -SLIP_SHARE, SLIP_SHARE).reshape(n, m * t)
     for _ in range(3):
         share = share + products(inverse, right - (share[:, None] @ rows)[:, 0])
-    rounding = (m * t + 6) * q.unit
-    off = np.abs(right - (share[:, None] @ rows)[:, 0]) + right_error
-    off += (np.abs(share)[:, None] @ (spread + rounding * reach))[:, 0]
-    size = np.abs(inverse)
+    off = np.abs(right - (share[:, None] @ rows)[:, 0]) + wide[:, 0]
+    off += (m + 8) * q.unit * np.abs(q.load) + (np.abs(share)[:, None] @ spread)[:, 0]
+    magnitude = np.abs(inverse)
     far = np.abs(np.eye(k) - rows.transpose(0, 2, 1) @ inverse)
-    far += (spread + rounding * reach).transpose(0, 2, 1) @ size
+    far += spread.transpose(0, 2, 1) @ magnitude
     beta = _MARGIN * far.sum(axis=2).max(axis=1) + k * k * q.unit
-    change = _MARGIN * size.sum(axis=2) * (off.max(axis=1) / (1 - beta))[:, None]
+    change = _MARGIN * magnitude.sum(axis=2) * (off.max(axis=1) / (1 - beta))[:, None]
     room = 1 - 8 * q.unit - norms(np.abs(share).reshape(n, m, t) + change.reshape(n, m, t))
     proved: Booleans = (beta < 0.9) & np.all((room > 0) | (most == 0), axis=1)
     return proved

@@ -7,14 +7,13 @@ Rows are wrenches in R^k, k = 3 in the plane and 6 in space, where a contact has
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 
 from arrangement.numbers.float_filter import UNIT, Booleans, Floats
-from equilibrium.core.float_law import FloatLaw
+from equilibrium.core.float_law import Batch, FloatLaw
 
 #: Largest tangent of the angle from a given normal to the rational unit normal that stands for it.
 ANGLE = Fraction(1, 10**12)
@@ -31,7 +30,7 @@ _SMALLEST = 2.0**-100
 
 
 @dataclass
-class Questions(FloatLaw):
+class Questions(FloatLaw, Batch):
     """n questions on up to m contacts; contacts that never press have zeros alone.
 
     The exact unit normal of a contact is the given direction turned by a small angle, and its
@@ -68,18 +67,11 @@ class Questions(FloatLaw):
     def __len__(self) -> int:
         return len(self.load)
 
-    def take(self, rows: Any) -> Questions:
-        """Return some of the questions."""
-        return replace(self, **{name: getattr(self, name)[rows] for name in _FIELDS})
-
     @property
     def present(self) -> Booleans:
         """Which contacts may press, (n, m)."""
         present: Booleans = self.reach[..., 0] > 0
         return present
-
-
-_FIELDS = [entry.name for entry in fields(Questions) if entry.name != "unit"]
 
 
 @np.errstate(all="ignore")  # questions with extreme numbers are not used
@@ -98,7 +90,7 @@ def questions(
         loads: (n, k).
         rounded: whether these are the nearest floats of other numbers, 0 of 0 alone.
     """
-    size = points.shape[2]
+    is_force = np.arange(loads.shape[1]) < points.shape[2]
     friction, stiffness, preload = values
     pressing = ~np.isnan(points[..., 0]) & ((stiffness > 0) | (preload > 0))
     friction, stiffness, preload = (np.where(pressing, x, 0.0) for x in values)
@@ -106,13 +98,10 @@ def questions(
     # Then nothing underflows on the way.
     moderate = _moderate(_SMALLEST**2, loads, friction, stiffness, preload, points)
     length = _unit(np.abs(points).max(axis=(1, 2), initial=0.0))
-    load = loads / np.where(np.arange(loads.shape[1]) < size, 1.0, length[:, None])
+    load = loads / np.where(is_force, 1.0, length[:, None])
     force = _unit(np.maximum(np.abs(load).max(axis=1), preload.max(axis=1, initial=0.0)))
-    load, preload, points = (
-        load / force[:, None],
-        preload / force[:, None],
-        points / length[:, None, None],
-    )
+    load, preload = load / force[:, None], preload / force[:, None]
+    points = points / length[:, None, None]
     # Typical displacements, as the search for one question takes them.
     step = 3 * np.abs(load).max(axis=1) / stiffness.sum(axis=1)
     shares = np.sort(np.where(stiffness > 0, preload / stiffness, np.inf), axis=1)
@@ -123,25 +112,15 @@ def questions(
     usable = moderate & _moderate(_SMALLEST, load, friction, stiffness, preload, points)
     unit = _directions(normals)
     frame = np.stack([unit, *_tangents(unit)], axis=2)
-    turns = _torques(points[:, :, None], frame)
-    wrenches = np.concatenate([frame, turns], axis=3)
-    ones = pressing[..., None] * np.ones(size)
-    arms = np.abs(points).sum(axis=2)[..., None] * np.ones(turns.shape[3])
+    wrenches = np.concatenate([frame, _torques(points[:, :, None], frame)], axis=3)
+    arms = np.abs(points).sum(axis=2, keepdims=True)
+    reach = np.where(is_force, 1.0, arms) * pressing[..., None]
     # Normals along an axis are exact.
-    slanted = np.count_nonzero(normals, axis=2) > 1
-    tilt = slanted * _TILT
+    tilt = _TILT * (np.count_nonzero(normals, axis=2) > 1)
+    normal, tangents = wrenches[:, :, 0], wrenches[:, :, 1:]
+    relative = _ROUNDED * UNIT if rounded else UNIT
     return (
-        Questions(
-            load,
-            wrenches[:, :, 0],
-            wrenches[:, :, 1:],
-            tilt,
-            np.concatenate([ones, arms], axis=2),
-            friction,
-            stiffness,
-            preload,
-            _ROUNDED * UNIT if rounded else UNIT,
-        ),
+        Questions(load, normal, tangents, tilt, reach, friction, stiffness, preload, relative),
         usable,
     )
 
@@ -174,14 +153,11 @@ def _tangents(unit: Floats) -> list[Floats]:
 def _moderate(smallest: float, *numbers: Floats) -> Booleans:
     """Return for which questions all numbers but 0 have sizes from this to its inverse."""
     sizes = np.abs(np.concatenate([x.reshape(len(x), -1) for x in numbers], axis=1))
-    moderate: Booleans = ((sizes == 0) | ((sizes >= smallest) & (sizes <= 1 / smallest))).all(
-        axis=1
-    )
-    return moderate
+    moderate = (sizes == 0) | ((sizes >= smallest) & (sizes <= 1 / smallest))
+    every: Booleans = moderate.all(axis=1)
+    return every
 
 
 def _unit(sizes: Floats) -> Floats:
     """Return the power of two above each number; 1 for 0."""
-    exponents = np.frexp(sizes)[1]
-    units: Floats = np.where(sizes > 0, np.ldexp(1.0, exponents), 1.0)
-    return units
+    return np.where(sizes > 0, np.ldexp(1.0, np.frexp(sizes)[1]), 1.0)

@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from arrangement.numbers.float_filter import Booleans, Floats
-from equilibrium.core.float_law import norms, products
+from equilibrium.core.float_law import Batch, norms, products
 
 from .questions import Questions
 
@@ -49,7 +49,7 @@ def are_outside_cones(questions: Questions) -> Booleans:
     """
     q, k = questions, questions.load.shape[1]
     proved, rows = np.zeros(len(q), dtype=bool), np.flatnonzero(np.any(q.load, axis=1))
-    q = q.take(rows)
+    q = q[rows]
     corners, shares = np.zeros((len(q), k + 2, k)), np.zeros((len(q), k + 2))
     size = np.linalg.norm(q.load, axis=1)
     corners[:, 0], shares[:, 0] = q.load / size[:, None], 1.0
@@ -62,7 +62,7 @@ def are_outside_cones(questions: Questions) -> Booleans:
         square = (motion * motion).sum(axis=1)
         nearer = square - (least * motion).sum(axis=1) > 1e-6 * square
         going = np.flatnonzero(~works & nearer & (square > _LEAST_SQUARE))
-        rows, q, corners, shares = rows[going], q.take(going), corners[going], shares[going]
+        rows, q, corners, shares = rows[going], q[going], corners[going], shares[going]
         corners[np.arange(len(rows)), (shares == 0).argmax(axis=1)] = least[going]
         _nearest_in_hull(corners, shares)
     return proved
@@ -124,29 +124,30 @@ def have_no_equilibria(questions: Questions, max_nodes: int) -> tuple[Booleans, 
         That, and for the others a motion (n, 3) in a cone that was left open.
     """
     n = len(questions)
-    inside = np.zeros((n, 3))
-    failed, nodes = np.zeros(n, dtype=bool), np.zeros(n, dtype=np.intp)
+    inside, failed, counts = np.zeros((n, 3)), np.zeros(n, dtype=bool), np.zeros(n, dtype=np.intp)
     batch = max(1, _NUMBERS // (4 * questions.normal.shape[1]))
-    owners, cones = np.repeat(np.arange(n), 8), np.tile(_ORTHANTS, (n, 1, 1))
-    motions = np.where(np.any(questions.load, axis=1)[:, None], questions.load, 1.0)[owners]
-    while len(owners):
+    open_: Any = np.zeros(
+        (n, 8), [("owner", np.intp), ("cone", float, (4, 4)), ("motion", float, 3)]
+    )
+    open_["owner"], open_["cone"] = np.arange(n)[:, None], _ORTHANTS
+    loads = questions.load[:, None]
+    open_["motion"] = np.where(loads.any(axis=2, keepdims=True), loads, 1.0)
+    open_ = open_.ravel()
+    while len(open_):
         # The last ones first: few are waiting then.
-        waiting = owners[:-batch], cones[:-batch], motions[:-batch]
-        owners, cones, motions = owners[-batch:], cones[-batch:], motions[-batch:]
-        nodes += np.bincount(owners, minlength=n)
-        closed, motions = _Cones(questions.take(owners), cones).closed(motions)
-        owners, cones, motions = owners[~closed], cones[~closed], motions[~closed]
+        waiting, cut = open_[:-batch], open_[-batch:]
+        counts += np.bincount(cut["owner"], minlength=n)
+        closed, cut["motion"] = _Cones(questions[cut["owner"]], cut["cone"]).closed(cut["motion"])
+        cut = cut[~closed]
+        owners, cones = cut["owner"], cut["cone"]
         middles = (cones / np.linalg.norm(cones, axis=2, keepdims=True)).sum(axis=1)
         inside[owners] = middles[:, 1:] / np.maximum(middles[:, :1], 1e-3)
-        halves = _halves(cones)
-        failed[
-            owners[(nodes[owners] > max_nodes) | (np.abs(halves).max(axis=(0, 2, 3)) > _LARGEST)]
-        ] = True
-        both = np.tile(owners, 2), halves.reshape(-1, 4, 4), np.tile(motions, (2, 1))
-        kept, more = ~failed[waiting[0]], ~failed[both[0]]
-        owners, cones, motions = (
-            np.concatenate([x[kept], y[more]]) for x, y in zip(waiting, both, strict=True)
-        )
+        halves = np.tile(cut, (2, 1))
+        halves["cone"] = _halves(cones)
+        long = np.abs(halves["cone"]).max(axis=(0, 2, 3)) > _LARGEST
+        failed[owners[(counts[owners] > max_nodes) | long]] = True
+        open_ = np.concatenate([waiting, halves.ravel()])
+        open_ = open_[~failed[open_["owner"]]]
     return ~failed, inside
 
 
@@ -165,7 +166,7 @@ def _halves(cones: Floats) -> Floats:
     return halves
 
 
-class _Cones:
+class _Cones(Batch):
     """Cones of motions, each with its question, and what the contacts do at the generators.
 
     Attributes:
@@ -189,18 +190,11 @@ class _Cones:
         error += q.rounding * (self.start[..., None] * q.preload[:, None])
         self.low, self.high = force - error, force + error
         self.on: Booleans = np.all(self.low >= 0, axis=1)
-        off = np.all(self.high <= 0, axis=1)
         self.slip = (slips > unsure).all(axis=1) * 1.0 - (slips < -unsure).all(axis=1)
-        self.pressed, self.loose = np.maximum(self.high, 0.0), ~(self.on | off)
+        self.pressed = np.maximum(self.high, 0.0)
         self.scale = 1 / (
             self.start * np.abs(q.load).max(axis=1)[:, None] + self.pressed.sum(axis=2) + 1e-300
         )
-
-    def take(self, rows: Any) -> _Cones:
-        part = object.__new__(_Cones)
-        for name, value in vars(self).items():
-            setattr(part, name, value.take(rows) if value is self.q else value[rows])
-        return part
 
     def closed(self, motion: Floats) -> tuple[Booleans, Floats]:
         """Return for which cones a virtual motion was found, and the last ones that were tried.
@@ -223,7 +217,7 @@ class _Cones:
             rows, corners, motion = rows[going], kept[going], motion[going]
             if not len(rows):
                 break
-            cones = cones.take(going)
+            cones = cones[going]
         return outside, last
 
     def works(self, motion: Floats) -> tuple[Booleans, Floats]:
@@ -232,7 +226,7 @@ class _Cones:
         q, slip = self.q, self.q.slips(motion)[..., 0]
         side = np.where(self.slip != 0, self.slip, np.sign(slip))
         kappa = q.least_works(motion, side * slip)
-        weights = self.pressed * (self.on | self.loose & (kappa < 0))[:, None]
+        weights = self.pressed * (self.on | (kappa < 0))[:, None]
         # At infinity something must press: the load does not count there.
         idle = (self.start == 0) & (weights @ np.ones(m) == 0)
         i, j = np.nonzero(idle)
@@ -247,7 +241,7 @@ class _Cones:
         rows, j = np.arange(len(work)), work.argmin(axis=1)
         works = work[rows, j] >= 0
         near = np.flatnonzero(works)
-        works[near] = self.take(near).hold(kappa[near], motion[near])
+        works[near] = self[near].hold(kappa[near], motion[near])
         edges = q.unit_wrenches(-side[..., None])
         sums = (weights[rows, j][:, None] @ edges)[:, 0] + self.start[rows, j][:, None] * q.load
         return works, sums * self.scale[rows, j][:, None]
@@ -282,27 +276,21 @@ def _nearest_point(corners: Floats, new: Floats) -> tuple[Floats, Floats]:
     Returns:
         The point, and the corners of its side, NaN for the others.
     """
-    edges = corners - new[:, None]
+    edges = np.nan_to_num(corners - new[:, None])
     gram = edges @ edges.transpose(0, 2, 1)
     aims = -np.einsum("nki,ni->nk", edges, new)
     sizes = gram[:, [0, 1, 2], [0, 1, 2]]
-    alone = aims / sizes
     i, j = _PAIRS
     a, b, c = sizes[:, i], gram[:, i, j], sizes[:, j]
-    first = (aims[:, i] * c - aims[:, j] * b) / (a * c - b * b)
-    second = (aims[:, j] * a - aims[:, i] * b) / (a * c - b * b)
-    # How much nearer than the new corner: no other corner, one or two.
-    gains = np.zeros((len(new), 7))
-    gains[:, 1:4] = np.where((alone > 0) & (alone < 1), alone * aims, -np.inf)
-    inside = (first > 0) & (second > 0) & (first + second < 1)
-    gains[:, 4:] = np.where(inside, first * aims[:, i] + second * aims[:, j], -np.inf)
-    best, share = gains.argmax(axis=1), np.zeros((len(new), 3))
-    rows = np.flatnonzero((best > 0) & (best < 4))
-    share[rows, best[rows] - 1] = alone[rows, best[rows] - 1]
-    rows = np.flatnonzero(best >= 4)
-    pair = best[rows] - 4
-    share[rows, i[pair]], share[rows, j[pair]] = first[rows, pair], second[rows, pair]
-    point = new + np.einsum("nk,nki->ni", share, np.nan_to_num(edges))
+    # Of the new corner alone, and with one or two others.
+    shares = np.zeros((len(new), 7, 3))
+    shares[:, [1, 2, 3], [0, 1, 2]] = aims / sizes
+    shares[:, [4, 5, 6], i] = (aims[:, i] * c - aims[:, j] * b) / (a * c - b * b)
+    shares[:, [4, 5, 6], j] = (aims[:, j] * a - aims[:, i] * b) / (a * c - b * b)
+    inside = (shares >= 0).all(axis=2) & (shares.sum(axis=2) < 1)
+    nearer = np.where(inside, (shares * aims[:, None]).sum(axis=2), -np.inf)
+    share = shares[np.arange(len(new)), nearer.argmax(axis=1)]
+    point = new + np.einsum("nk,nki->ni", share, edges)
     kept = np.where((share > 0)[..., None], corners, np.nan)
     # There is room for the new one: a side has three corners.
     free = np.isnan(kept[..., 0]).argmax(axis=1)

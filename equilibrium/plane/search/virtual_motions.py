@@ -14,12 +14,12 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from arrangement.numbers.exact import IntegerVector, RationalVector, primitive
 from arrangement.numbers.float_filter import Booleans, Floats
 from arrangement.numbers.linear.float_dictionary import FloatDictionary
 from equilibrium.core.contacts import FloatContacts, IntegerContacts, nearest, product, whole
+from equilibrium.core.float_law import Batch
 
 #: Entries of the virtual motions tried first.
 _MAX_FIRST_ENTRY = 2
@@ -101,7 +101,7 @@ class VirtualMotions:
             if not len(open_):
                 break
             near = 2 * motions[open_, None, :] + _NEIGHBOURS
-            sums = self.values(regions.take(open_), near)
+            sums = self.values(regions[open_], near)
             best = np.argmax(sums, axis=1)
             best_value = sums[np.arange(len(best)), best]
             better = best_value > value[open_]
@@ -150,7 +150,7 @@ class VirtualMotions:
         )
 
 
-class Regions:
+class Regions(Batch):
     """Simplicial cones of homogeneous motions in floating point.
 
     Attributes:
@@ -183,13 +183,6 @@ class Regions:
             self.linear = self.linear + (self.lifted * decided[:, None]) @ edge
         self.size = np.linalg.norm(load) * self.weight.max(axis=1)
         self.size += self.lifted.sum(axis=2).max(axis=1)
-
-    def take(self, rows: npt.NDArray[np.intp]) -> Regions:
-        """Return some of the regions."""
-        part = object.__new__(Regions)
-        for name, value in self.__dict__.items():
-            setattr(part, name, value[rows])
-        return part
 
 
 def _multiplier(work: Floats, beyond: Floats) -> Floats:
