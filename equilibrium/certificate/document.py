@@ -160,7 +160,7 @@ def _leaf_entry(assembly: Subject | None, leaf: Leaf) -> Any:
 
 
 def texts(values: Any) -> Any:
-    """Return exact numbers as texts, in a row or by the names of bodies."""
+    """Return exact numbers as texts, in rows of any depth and by names."""
     if isinstance(values, Mapping):
-        return {name: texts(row) for name, row in values.items()}
-    return [to_text(x) for x in values]
+        return {name: texts(x) for name, x in values.items()}
+    return [texts(x) for x in values] if isinstance(values, list | tuple) else to_text(values)

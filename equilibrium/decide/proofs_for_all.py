@@ -12,15 +12,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, islice
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from arrangement.errors import extra
 from arrangement.numbers.deadline import Deadline
-from arrangement.numbers.exact import RationalVector, to_text
+from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
-from equilibrium.certificate.document import Certificate, certificate
+from equilibrium.certificate.document import Certificate, certificate, texts
 from equilibrium.certificate.robust import Holding, virtual_motion_problem
 from equilibrium.certificate.uncertain import Bounds, root
 from equilibrium.core.contact_law import LinearQuestion
@@ -106,7 +106,7 @@ def _of_points(subject: Subject, bounds: Bounds) -> Bounds:
 
 def _certificate(verdict: Verdict, bounds: Bounds, parts: dict[str, Any]) -> Certificate:
     question = verdict.verdict, verdict.subject, verdict.load
-    return certificate(*question, bounds=bounds.to_dict(), **_texts(parts))
+    return certificate(*question, bounds=bounds.to_dict(), **texts(parts))
 
 
 def _parts(held: Holding, reach: RationalVector, energy: Fraction) -> dict[str, Any]:
@@ -126,7 +126,7 @@ def _held(
         if choice is None:
             continue
         for weight in _NORMAL_WEIGHTS:
-            parts = _corrected(rows, holding, choice, weight)
+            parts = _corrected(rows, holding, *choice, weight)
             if parts is not None:
                 yield parts
 
@@ -165,15 +165,10 @@ class _FloatSubject(FloatLaw):
         self.around = np.stack([np.cos(turn), np.sin(turn)], axis=1)[:, : self.d - 1]
 
 
-class _Choice(NamedTuple):
-    """A motion, and (m, d) forces."""
+def _forces(rows: _FloatSubject, holding: Sequence[int]) -> tuple[Floats, Floats] | None:
+    """Return the motion and (m, d) forces with the most room in the friction cones.
 
-    motion: Floats
-    forces: Floats
-
-
-def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
-    """Return the motion and forces with the most room in the friction cones, in the units of rows.
+    They are in the units of rows.
 
     The variables are the motion, friction and ``a = q' - c_n`` of holding contacts, sizes of a and
     of what loose contacts add, and the room. The root of their squares is bounded by their sum.
@@ -233,13 +228,13 @@ def _forces(rows: _FloatSubject, holding: Sequence[int]) -> _Choice | None:
     place = best[motion]
     forces[holding, 0] = rows.spring_forces(place)[holding] - best[away]
     forces[holding, 1:] = best[friction].reshape(h, d - 1)
-    return _Choice(place, forces)
+    return place, forces
 
 
 def _corrected(
-    rows: _FloatSubject, holding: Sequence[int], choice: _Choice, weight: float
+    rows: _FloatSubject, holding: Sequence[int], motion: Floats, forces: Floats, weight: float
 ) -> dict[str, Any] | None:
-    """Return a proof with a choice of motion and forces, if there is one."""
+    """Return a proof with a motion and forces, if there is one."""
     m, n, d = rows.m, len(rows.load), rows.d
     columns = np.zeros((m, d, n))
     columns[holding, 0] = weight * rows.normal[holding]
@@ -251,8 +246,8 @@ def _corrected(
         rows.subject,
         rows.wrench,
         rows.bounds,
-        _dyadic(choice.motion * rows.force / rows.stiff * rows.units),
-        [_dyadic(row) for row in choice.forces * rows.force],
+        _dyadic(motion * rows.force / rows.stiff * rows.units),
+        [_dyadic(row) for row in forces * rows.force],
         [[_dyadic(row) for row in block] for block in correction * rows.units],
     )
     rests, gains = (np.array(x, float) for x in held.balance())
@@ -314,11 +309,3 @@ def _short(x: float) -> Fraction:
         return Fraction(0)
     unit = Fraction(2) ** (math.frexp(x)[1] - 40)
     return round(Fraction(x) / unit) * unit
-
-
-def _texts(content: Any) -> Any:
-    if isinstance(content, Fraction):
-        return to_text(content)
-    if isinstance(content, dict):
-        return {name: _texts(x) for name, x in content.items()}
-    return [_texts(x) for x in content]
