@@ -193,11 +193,14 @@ class Function:
     def __init__(self, top: fmpq_poly, below: fmpq_poly, domain: Domain) -> None:
         if max(top.degree(), below.degree()) > _MAX_DEGREE:
             raise InputError(f"an expression has a degree above {_MAX_DEGREE}; write a simpler one")
-        common = top.gcd(below)
-        if common.degree() > 0:
-            top, below = top // common, below // common
+        if below.degree() > 0:
+            common = top.gcd(below)
+            if common.degree() > 0:
+                top, below = top // common, below // common
         leading = below.leading_coefficient()
-        self.top, self.below, self.domain = top / leading, below / leading, domain
+        if leading != 1:
+            top, below = top / leading, below / leading
+        self.top, self.below, self.domain = top, below, domain
 
     @classmethod
     def letter(cls, domain: Domain) -> Function:
