@@ -190,9 +190,14 @@ def _clash(corners: Sequence[RationalVector], i: int, j: int) -> bool:
     """Return whether two edges, i < j, share more than the corner that neighbours share."""
     n = len(corners)
     (a, b), (c, d) = first, second = [(corners[k], corners[(k + 1) % n]) for k in (i, j)]
-    ends = sum([is_on(first, c), is_on(first, d), is_on(second, a), is_on(second, b)])
-    shared = 2 if j - i in (1, n - 1) else 0
-    return a == b or c == d or ends > shared or do_cross(first, second)
+    if a == b or c == d:
+        return True
+    if j - i in (1, n - 1):
+        before, shared, after = (a, b, d) if j == i + 1 else (c, a, b)
+        ahead, back = difference(after, shared), difference(before, shared)
+        return turn(ahead, back) == 0 and bool(dot(ahead, back) > 0)
+    places = ((first, c), (first, d), (second, a), (second, b))
+    return do_cross(first, second) or any(is_on(edge, end) for edge, end in places)
 
 
 def do_cross(first: Segment, second: Segment) -> bool:
