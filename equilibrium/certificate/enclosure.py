@@ -23,8 +23,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import chain
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from arrangement.numbers.exact import RationalVector, dot
 from equilibrium.model.grasp import Grasp
@@ -99,18 +98,21 @@ def enclosure_problem(
 ) -> str:
     """Return why an enclosure shows no equilibrium that counts, or nothing."""
     felt_contacts = felt_by(grasp, enclosure.basis)
-    wrench = applied((felt.contact for felt in felt_contacts), wrench)
-    for i, (felt, friction) in enumerate(zip(felt_contacts, enclosure.friction, strict=True)):
-        _, *tangents = felt.contact.wrenches
-        if friction and any(dot(t, motion) for motion in enclosure.basis for t in tangents):
-            return f"contact {i + 1} sticks, and a motion of the basis moves it"
-        if friction and dot(friction, friction) > 1:
-            return f"contact {i + 1} sticks, and has a friction above its limit"
+    works = [applied((felt.contact for felt in felt_contacts), wrench)]
+    for i, ((contact, _), share) in enumerate(
+        zip(felt_contacts, enclosure.friction, strict=True), 1
+    ):
+        _, *tangents = contact.wrenches
+        if share and any(dot(t, motion) for motion in enclosure.basis for t in tangents):
+            return f"contact {i} sticks, and a motion of the basis moves it"
+        if share and dot(share, share) > 1:
+            return f"contact {i} sticks, and has a friction above its limit"
+        if share is not None:
+            # Without friction a motion along the tangents does not matter.
+            works += contact.wrenches if contact.friction else contact.wrenches[:1]
     for i, _ in enclosure.pillars:
         if not enclosure.friction[i]:
             return f"contact {i + 1} is a pillar and does not stick"
-    pairs = zip(felt_contacts, enclosure.friction, strict=True)
-    works = [wrench, *chain(*(felt.noticed for felt, friction in pairs if friction is not None))]
     if any(dot(row, motion) for *motion, _ in enclosure.idle for row in works):
         return "a null-space motion moves an attached contact, or the load does work on it"
     if any(r <= 0 for r in enclosure.radius):
@@ -121,18 +123,20 @@ def enclosure_problem(
     ]
     centre = [interval(m) for m in enclosure.centre]
     try:
-        value, _ = _balance(felt_contacts, wrench, enclosure, centre, max_displacement, 0)
-        _, derivative = _balance(felt_contacts, wrench, enclosure, box, max_displacement, len(box))
+        value, *_ = _balance(felt_contacts, works[0], enclosure, centre, max_displacement, 0)
+        _, *derivatives = _balance(
+            felt_contacts, works[0], enclosure, box, max_displacement, len(box)
+        )
     except BrokenLaw as broken:
         return str(broken)
-    inverse = [[interval(x) for x in row] for row in enclosure.inverse]
     away = [x.plus(m.negative()) for x, m in zip(box, centre, strict=True)]
-    for j, row in enumerate(inverse):
+    for j, row in enumerate(enclosure.inverse):
+        inverse = list(map(interval, row))
         rest = [
-            interval(int(j == k)).plus(product(row, column).negative())
-            for k, column in enumerate(zip(*derivative, strict=True))
+            interval(int(j == k)).plus(product(inverse, column).negative())
+            for k, column in enumerate(derivatives)
         ]
-        step = product(row, value).negative()
+        step = product(inverse, value).negative()
         image = total((centre[j], step, product(rest, away)))
         if not box[j].low < image.low <= image.high < box[j].high:
             return f"the enclosure is not mapped into itself in coordinate {j + 1}"
@@ -145,12 +149,6 @@ class Felt(NamedTuple):
     contact: LawRow
     slopes: list[list[Interval]]
 
-    @property
-    def noticed(self) -> tuple[RationalVector, ...]:
-        """The wrenches along which a motion matters: without friction the first alone."""
-        wrenches = self.contact.wrenches
-        return wrenches if self.contact.friction else wrenches[:1]
-
 
 def felt_by(grasp: Grasp, basis: Sequence[RationalVector]) -> list[Felt]:
     """Return what each contact feels of a basis of motions."""
@@ -161,29 +159,13 @@ class BrokenLaw(Exception):
     """A condition of the law that does not hold all over a box."""
 
 
-class Linear(NamedTuple):
-    """A number that depends on the unknowns: an interval of its values, and of its derivatives."""
+#: A number that depends on the unknowns: an interval of its values, then of its derivatives.
+Row: TypeAlias = Sequence[Interval]
 
-    value: Interval
-    slopes: list[Interval]
 
-    def times(self, other: Linear) -> Linear:
-        """Return the product."""
-        slopes = [
-            self.value.times(y).plus(other.value.times(x))
-            for x, y in zip(self.slopes, other.slopes, strict=True)
-        ]
-        return Linear(self.value.times(other.value), slopes)
-
-    def by(self, factor: Fraction | int) -> Linear:
-        """Return a multiple."""
-        scale = interval(factor)
-        return Linear(self.value.times(scale), [x.times(scale) for x in self.slopes])
-
-    def plus(self, other: Linear) -> Linear:
-        """Return the sum."""
-        slopes = [x.plus(y) for x, y in zip(self.slopes, other.slopes, strict=True)]
-        return Linear(self.value.plus(other.value), slopes)
+def _times(row: Row, factor: Fraction | int) -> list[Interval]:
+    scale = interval(factor)
+    return [x.times(scale) for x in row]
 
 
 def _balance(
@@ -193,8 +175,8 @@ def _balance(
     box: Sequence[Interval],
     max_displacement: Fraction | None,
     unknowns: int,
-) -> tuple[list[Interval], list[list[Interval]]]:
-    """Return the sum of all wrenches over a box, and its derivative, (n, unknowns).
+) -> list[list[Interval]]:
+    """Return the sum of all wrenches over a box, then its derivatives by the unknowns.
 
     Args:
         unknowns: by which derivatives are taken: all, or 0.
@@ -202,78 +184,76 @@ def _balance(
     Raises:
         BrokenLaw: a condition does not hold all over the box.
     """
-    zeros = [Interval(0, 0)] * unknowns
-    sums = [Linear(interval(w), zeros) for w in wrench]
-    for i, ((contact, slopes), friction) in enumerate(
-        zip(contacts, enclosure.friction, strict=True)
-    ):
-        moved = [Linear(product(row, box), row[:unknowns]) for row in slopes]
+
+    def linear(slopes: Row, constant: Fraction) -> Row:
+        return [product(slopes, box).plus(interval(constant)), *slopes[:unknowns]]
+
+    # Rows of forces, and a wrench of each: the load is a constant force of 1.
+    forces: list[Row] = [[interval(1), *[Interval(0, 0)] * unknowns]]
+    wrenches: list[Sequence[Fraction]] = [wrench]
+    for i, ((contact, slopes), share) in enumerate(zip(contacts, enclosure.friction, strict=True)):
+        moved = [linear(row, Fraction(0)) for row in slopes]
         if max_displacement is not None:
             most = interval(max_displacement).low
-            if any(not -most <= x.value.low <= x.value.high <= most for x in moved):
+            if any(not -most <= x.low <= x.high <= most for x, *_ in moved):
                 raise BrokenLaw(f"contact {i + 1}: its point may move by more than counts")
-        normal = moved[0].by(-contact.stiffness)
-        normal = normal.plus(Linear(interval(contact.preload), zeros))
-        if friction is None:
-            if normal.value.high > 0:
+        normal = _times(moved[0], -contact.stiffness)
+        normal[0] = normal[0].plus(interval(contact.preload))
+        if share is None:
+            if normal[0].high > 0:
                 raise BrokenLaw(f"contact {i + 1} is not detached all over the enclosure")
             continue
-        if normal.value.low < 0:
+        if normal[0].low < 0:
             raise BrokenLaw(f"contact {i + 1} is not attached all over the enclosure")
-        limit = normal.by(contact.friction)
-        if not contact.friction:
-            forces = [limit, limit]
-        elif friction:
-            forces = _sticking(i, limit, friction, enclosure, box)
-        else:
-            forces = [limit.times(x).by(-1) for x in unit_slip(i, moved[1:])]
-        for force, row in zip((normal, *forces), contact.wrenches, strict=True):
-            sums = [
-                entry.plus(force.by(x)) if x else entry for entry, x in zip(sums, row, strict=True)
-            ]
+        rubs: list[Row] = []
+        if contact.friction and share:
+            rubs = _sticking(i, _times(normal, contact.friction), share, enclosure, box)
+        elif contact.friction:
+            (limit, *limits), units = _times(normal, -contact.friction), unit_slip(i, moved[1:])
+            for u, *row in units:
+                pairs = zip(limits, row, strict=True)
+                rubs.append([limit.times(u), *(limit.times(y).plus(u.times(x)) for x, y in pairs)])
+        forces += normal, *rubs
+        wrenches += contact.wrenches[: 1 + len(rubs)]
     for *motion, x in enclosure.idle:
-        slopes_of = _slopes(tuple(motion), enclosure.basis)
-        turned = Linear(product(slopes_of, box), slopes_of[:unknowns])
-        turned = turned.plus(Linear(interval(-x), zeros))
-        sums = [entry.plus(turned.by(x)) for entry, x in zip(sums, motion, strict=True)]
-    return [entry.value for entry in sums], [entry.slopes for entry in sums]
+        forces.append(linear(_slopes(motion, enclosure.basis), -x))
+        wrenches.append(motion)
+    matrix = [list(map(interval, entries)) for entries in zip(*wrenches, strict=True)]
+    return [[product(row, column) for row in matrix] for column in zip(*forces, strict=True)]
 
 
-def _slopes(row: RationalVector, basis: Sequence[RationalVector]) -> list[Interval]:
+def _slopes(row: Sequence[Fraction], basis: Sequence[RationalVector]) -> list[Interval]:
     """Return how far a contact moves along a unit wrench, with each of the n unknowns."""
     slopes = [interval(dot(row, motion)) for motion in basis]
     return slopes + [Interval(0, 0)] * (len(row) - len(slopes))
 
 
 def _sticking(
-    i: int, limit: Linear, share: RationalVector, enclosure: Enclosure, box: Sequence[Interval]
-) -> list[Linear]:
+    i: int, limit: Row, share: RationalVector, enclosure: Enclosure, box: Sequence[Interval]
+) -> list[Row]:
     """Return the friction forces of a contact that sticks."""
-    forces = [limit.by(x) for x in share]
-    carried = [
-        (k, j)
-        for k, (pillar, j) in enumerate(enclosure.pillars, len(enclosure.basis))
-        if pillar == i
-    ]
-    for k, j in carried:
-        slopes = [interval(int(k == other)) for other in range(len(limit.slopes))]
-        forces[j] = forces[j].plus(Linear(box[k], slopes))
-    squares = total(force.value.square() for force in forces)
-    if carried and squares.high > limit.value.square().low:
+    forces: list[Row] = [_times(limit, x) for x in share]
+    for k, (pillar, j) in enumerate(enclosure.pillars, len(enclosure.basis)):
+        if pillar == i:
+            unit = (interval(int(k == other)) for other in range(len(limit) - 1))
+            pairs = zip(forces[j], (box[k], *unit), strict=True)
+            forces[j] = [x.plus(y) for x, y in pairs]
+    squares = total(value.square() for value, *_ in forces)
+    if any(pillar == i for pillar, _ in enclosure.pillars) and squares.high > limit[0].square().low:
         raise BrokenLaw(f"contact {i + 1} has a friction above its limit")
     return forces
 
 
-def unit_slip(i: int, slip: Sequence[Linear]) -> list[Linear]:
+def unit_slip(i: int, slip: Sequence[Row]) -> list[Row]:
     """Return ``s / |s|``, whose derivative is that of s without its part along s, over |s|."""
-    square = total(s.value.square() for s in slip)
+    values, *columns = zip(*slip, strict=True)
+    square = total(x.square() for x in values)
     if square.low <= 0:
         raise BrokenLaw(f"contact {i + 1} does not slip all over the enclosure")
     root = square.inverse_root()
-    units = [s.value.times(root) for s in slip]
-    along = [product(units, column) for column in zip(*(s.slopes for s in slip), strict=True)]
-    direction = []
-    for u, s in zip(units, slip, strict=True):
-        across = zip(s.slopes, along, strict=True)
-        direction.append(Linear(u, [x.plus(u.times(y).negative()).times(root) for x, y in across]))
-    return direction
+    units = [x.times(root) for x in values]
+    along = [product(units, column) for column in columns]
+    return [
+        [u, *(x.plus(u.times(y).negative()).times(root) for x, y in zip(row, along, strict=True))]
+        for u, (_, *row) in zip(units, slip, strict=True)
+    ]
