@@ -54,33 +54,29 @@ def intervals_text(intervals: Iterable[Interval]) -> str:
     return " or ".join(shown) if shown else "no interval"
 
 
+def _where(intervals: Sequence[Interval], nowhere: str, at: str, among: str) -> str:
+    """Return where a number lies, in the words for no number, for a single one and for more."""
+    if not intervals:
+        return nowhere
+    ends = {end for part in intervals for end in part}
+    if len(ends) == 1 and (point := ends.pop()) is not None:
+        return at.format(number(point))
+    return among + intervals_text(intervals)
+
+
 def resisted_text(intervals: Sequence[Interval]) -> str:
     """Return which magnitudes t are resisted, such as "resisted for t in [0, 1] or [2, oo)"."""
-    if not intervals:
-        return "resisted for no t"
-    if (point := _only(intervals)) is not None:
-        return f"resisted at {number(point)} only"
-    return f"resisted for t in {intervals_text(intervals)}"
+    return _where(intervals, "resisted for no t", "resisted at {} only", "resisted for t in ")
 
 
 def among_text(intervals: Sequence[Interval], name: str) -> str:
     """Return where a number lies: "a preload in [0, 1]", "a preload of 0 only", "no preload"."""
-    if not intervals:
-        return f"no {name}"
-    if (point := _only(intervals)) is not None:
-        return f"a {name} of {number(point)} only"
-    return f"a {name} in {intervals_text(intervals)}"
+    return _where(intervals, f"no {name}", f"a {name} of {{}} only", f"a {name} in ")
 
 
 def factors_text(intervals: Sequence[Interval]) -> str:
     """Return by which factors a load may be scaled."""
     return f"resisted when scaled by {among_text(intervals, 'factor')}"
-
-
-def _only(intervals: Sequence[Interval]) -> Fraction | None:
-    """Return the only number of some intervals; None if there are none or more."""
-    ends = {end for part in intervals for end in part}
-    return ends.pop() if len(ends) == 1 else None
 
 
 def along_answer(resisted: ResistedSet, magnitudes: Magnitudes) -> Answer:
@@ -208,49 +204,38 @@ def margin_answer(
         rubbing += ", for the load alone" if also else ""
     elif smooth := sorted({*grasp.contact_numbers} - {*rough_contacts(grasp)}):
         rubbing += f" with {listed_contacts(smooth)} smooth"
-    loads = [factors.wrench, *also]
-    at_preloads: dict[str, Any] = {}
-
-    def preload_text(preloads: Preloads) -> str:
-        gives, ends = end_lines(resisted, preloads)
-        at_preloads.update(gives)
-        first = f"resisted with {among_text(preloads.intervals, whose)}{_force(grasp)}{doubt}"
-        return "\n".join([first, *ends])
-
     doubt = "" if grasp.data_error is None else f", {ROUNDED}"
-    preload, in_preloads = _or_undecided(
-        lambda: factors.preloads if chosen is None else resisted.preloads(loads, chosen),
-        preload_text,
-        f"resisted with a {whose}",
-    )
-    friction, coefficient = _or_undecided(
-        lambda: factors.friction(tolerance, chosen),
-        lambda bounds: f"least {rubbing}: {_friction(bounds.low, bounds.high)}{doubt}",
-        f"least {rubbing}",
-    )
+    remedies, texts = dict[str, Any](), list[str]()
+    try:
+        loads = [factors.wrench, *also]
+        preloads = factors.preloads if chosen is None else resisted.preloads(loads, chosen)
+    except UndecidedError as unknown:
+        remedies["preload"] = undecided(unknown)
+        texts.append(f"resisted with a {whose}: undecided, {unknown}")
+    else:
+        gives, ends = end_lines(resisted, preloads)
+        remedies["preload"] = preloads.to_dict() | gives
+        among = among_text(preloads.intervals, whose)
+        texts += [f"resisted with {among}{_force(grasp)}{doubt}", *ends]
+    try:
+        friction = factors.friction(tolerance, chosen)
+    except UndecidedError as unknown:
+        remedies["friction"] = undecided(unknown)
+        texts.append(f"least {rubbing}: undecided, {unknown}")
+    else:
+        remedies["friction"] = friction.to_dict()
+        texts.append(f"least {rubbing}: {_friction(friction.low, friction.high)}{doubt}")
     gives, ends = end_lines(resisted, factors.magnitudes)
     more, scaled, changes = _with_rounding(resisted, factors.magnitudes, factors_text, ends)
     known = None if grasp.data_error is None else resisted.solve(factors.wrench).rounding
     word = "yes" if factors.resisted else "no"
     depends = known is not None and known.turned is not None
     if known is not None and not known.proved:
-        word += f", for the data as rounded; it {known.words}" if depends else f", {AS_ROUNDED}"
-    unknown = depends or changes or "verdict" in {*preload, *friction}
-    yes = None if unknown else factors.resisted
-    lines = [f"resisted: {word}", *scaled, in_preloads, coefficient]
-    remedies = {"preload": preload | at_preloads, "friction": friction}
+        word += f", {ROUNDED}; it {known.words}" if depends else f", {AS_ROUNDED}"
+    is_open = depends or changes or any("verdict" in remedy for remedy in remedies.values())
+    yes = None if is_open else factors.resisted
+    lines = [f"resisted: {word}", *scaled, *texts]
     return Answer(factors.to_dict() | gives | more | remedies, lines, yes)
-
-
-def _or_undecided(
-    ask: Callable[[], Any], text: Callable[[Any], str], name: str
-) -> tuple[dict[str, Any], str]:
-    """Return the JSON form and the text of an answer, or why what has this name is undecided."""
-    try:
-        answer = ask()
-    except UndecidedError as unknown:
-        return undecided(unknown), f"{name}: undecided, {unknown}"
-    return answer.to_dict(), text(answer)
 
 
 def _smallest_lines(smallest: SmallestUnresisted, unit: str) -> Iterator[str]:
