@@ -18,12 +18,12 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import product
+from itertools import chain, combinations, product
 
 import numpy as np
 
 from arrangement.numbers.exact import RationalVector, dot
-from arrangement.numbers.linear.rank import gauss_jordan
+from arrangement.numbers.linear.rank import determinant, gauss_jordan
 from equilibrium.model.contact import Contact
 from equilibrium.model.grasp import Grasp
 
@@ -60,23 +60,13 @@ class RobustnessBound:
         rows = [[-size * x for x in row] for row in self.gain]
         for k in range(3):
             rows[k][k] += self.squared_distance
-        return _is_semidefinite(rows)
-
-
-def _is_semidefinite(rows: list[list[Fraction]]) -> bool:
-    """Return whether a symmetric matrix has no negative eigenvalue, by elimination."""
-    if not rows:
-        return True
-    pivot = next((k for k, row in enumerate(rows) if row[k]), None)
-    if pivot is None:
-        return not any(map(any, rows))
-    if rows[pivot][pivot] < 0:
-        return False
-    head = rows[pivot]
-    rest = [k for k in range(len(rows)) if k != pivot]
-    return _is_semidefinite(
-        [[rows[i][j] - head[i] * head[j] / head[pivot] for j in rest] for i in rest]
-    )
+        unit = math.lcm(*(x.denominator for row in rows for x in row))
+        minors = (combinations(range(3), k) for k in (1, 2, 3))
+        # A symmetric matrix has no negative eigenvalue where no principal minor is negative.
+        return all(
+            determinant([[int(rows[i][j] * unit) for j in places] for i in places]) >= 0
+            for places in chain(*minors)
+        )
 
 
 def contact_robustness(grasp: Grasp) -> RobustnessBound | None:
@@ -102,14 +92,9 @@ def grasp_robustness(grasp: Grasp) -> RobustnessBound | None:
     """
     grasp.require_plane()
     check_states(grasp)
-    return max(_bounds(grasp), key=lambda bound: bound.value, default=None)
-
-
-def _bounds(grasp: Grasp) -> Iterator[RobustnessBound]:
-    for states in product(STATES, repeat=len(grasp)):
-        bound = _bound(grasp, states)
-        if bound is not None:
-            yield bound
+    bounds = (_bound(grasp, states) for states in product(STATES, repeat=len(grasp)))
+    known = (bound for bound in bounds if bound is not None)
+    return max(known, key=lambda bound: bound.value, default=None)
 
 
 def _bound(grasp: Grasp, states: tuple[str, ...]) -> RobustnessBound | None:

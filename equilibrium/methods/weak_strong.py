@@ -28,6 +28,8 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
+import numpy as np
+
 from arrangement.arrangement import Arrangement
 from arrangement.console.number_form import vector
 from arrangement.console.progress import watched
@@ -124,28 +126,22 @@ def _starting_acceleration(
     planes = Arrangement(
         [c.normal_wrench for c in grasp] + [c.tangential_wrench for c in grasp], dimension=3
     )
-    m = len(grasp)
-    seen: set[tuple[tuple[int, int], ...]] = set()
-    for face in watched(planes.faces(), "faces"):
-        signs = tuple(zip(face.signs[:m], face.signs[m:], strict=True))
-        if any(normal < 0 for normal, _ in signs):
-            continue
-        # Where the contact opens, its slip does not matter.
-        label = tuple((normal, 0 if normal else slip) for normal, slip in signs)
-        if label in seen:
-            continue
-        seen.add(label)
-        acceleration = _nonzero_solution(*_system(grasp, load, matrix, label))
-        if acceleration is not None:
-            return acceleration
-    return None
+    signs = planes.faces().signs
+    normals, slips = np.hsplit(signs[(signs[:, : len(grasp)] >= 0).all(axis=1)], 2)
+    # Where a contact opens, its slip does not matter.
+    labels = np.stack([normals, slips * (normals == 0)], axis=2)
+    _, first = np.unique(labels, axis=0, return_index=True)
+    distinct = watched(labels[np.sort(first)], "faces")
+    systems = (_system(grasp, load, matrix, label.tolist()) for label in distinct)
+    solutions = (_nonzero_solution(*system) for system in systems)
+    return next((motion for motion in solutions if motion is not None), None)
 
 
 def _system(
     grasp: Grasp,
     load: RationalVector,
     matrix: Sequence[RationalVector],
-    label: tuple[tuple[int, int], ...],
+    label: Sequence[Sequence[int]],
 ) -> tuple[int, list[RationalVector], list[RationalVector]]:
     """Return the closed linear conditions of one choice of signs, over a, all c_n and all c_t."""
     m = len(grasp)
