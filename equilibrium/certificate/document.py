@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
@@ -12,12 +11,12 @@ from typing import Any
 
 from arrangement.console.number_form import ReprMixin
 from arrangement.console.writing import write_text_atomically
-from arrangement.numbers.exact import RationalVector, to_text
+from arrangement.numbers.exact import RationalVector
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.solution import Leaf, Solution
-from equilibrium.model.subject import Subject, by_body, points_of
+from equilibrium.model.subject import Subject, by_body, points_of, texts
 
 from .checker import check
 from .reading import SCHEMA_VERSION
@@ -157,10 +156,3 @@ def _leaf_entry(assembly: Subject | None, leaf: Leaf) -> Any:
         **({"multipliers": rows} if rows or not is_long else {}),
         **({"displacements": moved} if moved else {}),
     }
-
-
-def texts(values: Any) -> Any:
-    """Return exact numbers as texts, in rows of any depth and by names."""
-    if isinstance(values, Mapping):
-        return {name: texts(x) for name, x in values.items()}
-    return [texts(x) for x in values] if isinstance(values, list | tuple) else to_text(values)

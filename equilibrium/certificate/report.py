@@ -7,12 +7,12 @@ from fractions import Fraction
 from typing import Any, TypeAlias
 
 from arrangement.console.number_form import ReprMixin
-from arrangement.numbers.exact import to_text, vector_text
+from arrangement.numbers.exact import vector_text
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import VALUES
 from equilibrium.model.displacement import displacement_entry
 from equilibrium.model.grasp import Grasp
-from equilibrium.model.subject import AboutCaseMixin, LoadCase, Subject, read_load
+from equilibrium.model.subject import AboutCaseMixin, LoadCase, Subject, read_load, texts
 
 from .law import short
 from .uncertain import Bounds
@@ -82,11 +82,6 @@ class Report(AboutCaseMixin, ReprMixin):
 
     def to_dict(self) -> dict[str, Any]:
         """Return a JSON form."""
-        name, wrench = "grasp", self.wrench
-        if isinstance(self.grasp, Assembly):
-            name, wrench = "assembly", {body: list(map(to_text, w)) for body, w in wrench.items()}
-        else:
-            wrench = list(map(to_text, wrench))
         return {
             "valid": bool(self),
             "certificate": self.kind,
@@ -95,8 +90,8 @@ class Report(AboutCaseMixin, ReprMixin):
             **({} if self.pyramid is None else {"pyramid": self.pyramid}),
             **displacement_entry(self.max_displacement),
             **({} if self.bounds is None else {"bounds": self.bounds.to_dict()}),
-            "wrench": wrench,
-            name: self.grasp.to_dict(),
+            "wrench": texts(self.wrench),
+            "assembly" if isinstance(self.grasp, Assembly) else "grasp": self.grasp.to_dict(),
             "compared": self.compared,
         }
 

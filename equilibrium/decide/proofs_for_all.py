@@ -20,7 +20,7 @@ from arrangement.errors import extra
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector
 from arrangement.numbers.float_filter import Floats
-from equilibrium.certificate.document import Certificate, certificate, texts
+from equilibrium.certificate.document import Certificate, certificate
 from equilibrium.certificate.robust import Holding, virtual_motion_problem
 from equilibrium.certificate.uncertain import Bounds, root
 from equilibrium.core.contact_law import LinearQuestion
@@ -30,7 +30,7 @@ from equilibrium.model.contact import Contact, radius_squared
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
 from equilibrium.model.solution import Solution
-from equilibrium.model.subject import Subject, points_of, rows_of
+from equilibrium.model.subject import Subject, points_of, rows_of, texts
 from equilibrium.plane.states.equilibrium import equilibrium_of
 
 from . import RESISTED

@@ -26,7 +26,6 @@ from equilibrium.certificate.document import (
     Certificate,
     refuted_certificate,
     resisted_certificate,
-    texts,
 )
 from equilibrium.certificate.report import Report
 from equilibrium.certificate.uncertain import Bounds
@@ -47,7 +46,7 @@ from equilibrium.model.errors import (
 )
 from equilibrium.model.labels import ROUNDED
 from equilibrium.model.solution import Open, Refutation, Solution, Tree, pad_entries
-from equilibrium.model.subject import AboutCaseMixin, LoadCase, Subject, by_body
+from equilibrium.model.subject import AboutCaseMixin, LoadCase, Subject, by_body, texts
 from equilibrium.model.synonyms import NAMES
 
 from . import NOT_RESISTED, RESISTED, UNDECIDED, robustness, undecided

@@ -16,7 +16,7 @@ from equilibrium.model.contact import pyramid_edges
 from equilibrium.model.errors import GraspError, UndecidedError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.rows import ContactRows
-from equilibrium.model.subject import check_subject
+from equilibrium.model.subject import check_subject, texts
 from equilibrium.model.synonyms import ARGUMENTS
 from equilibrium.wrench_sets.slice import FORCES, resisted_region
 
@@ -115,7 +115,8 @@ class Comparison(HintsMixin):
                 }
                 for answer in self.answers
             ],
-            **question_entries(self.grasp, self.wrench),
+            "wrench": texts(self.wrench),
+            "assembly" if isinstance(self.grasp, Assembly) else "grasp": self.grasp.to_dict(),
         }
 
     def lines(self) -> Iterator[str]:
@@ -132,14 +133,6 @@ class Comparison(HintsMixin):
 def predict(method: str, grasp: Grasp, wrench: RationalVector) -> bool | None:
     """Return one method's verdict, by its key in `METHODS`."""
     return method_named(method).outcome(grasp, wrench)[0]
-
-
-def question_entries(grasp: Grasp | Assembly, wrench: Any) -> dict[str, Any]:
-    """Return the entries of a document for its question."""
-    if isinstance(grasp, Assembly):
-        wrenches = {name: list(map(to_text, row)) for name, row in wrench.items()}
-        return {"wrench": wrenches, "assembly": grasp.to_dict()}
-    return {"wrench": list(map(to_text, wrench)), "grasp": grasp.to_dict()}
 
 
 def check_cost(grasp: Grasp | Assembly) -> None:

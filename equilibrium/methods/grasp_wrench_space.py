@@ -102,7 +102,7 @@ class GraspWrenchSpace(HintsMixin):
             [self._scaled(edge) for c in points for edge in friction_edges(c, self.pyramid)]
             for points in self.grasp.parts
         ]
-        zero = (Fraction(0),) * self._axes
+        zero = (Fraction(0),) * self.grasp.wrench_size
         if self.norm == "L1":
             return _hull([zero, *(edge for pair in edges for edge in pair)])
         hull = _hull([zero])
@@ -114,7 +114,7 @@ class GraspWrenchSpace(HintsMixin):
     @property
     def facets(self) -> tuple[IntegerVector, ...]:
         """The conditions ``a . x + b >= 0`` of the facets; none where the space is flat."""
-        return self.polytope.inequalities if self.polytope.dimension == self._axes else ()
+        return () if self.polytope.equalities else self.polytope.inequalities
 
     @property
     def force_closure(self) -> bool | None:
@@ -223,10 +223,6 @@ class GraspWrenchSpace(HintsMixin):
     def _scaled(self, wrench: RationalVector) -> RationalVector:
         forces = self.grasp.dimension
         return (*wrench[:forces], *(torque / self.length for torque in wrench[forces:]))
-
-    @property
-    def _axes(self) -> int:
-        return self.grasp.wrench_size
 
 
 def _hull(points: Iterable[RationalVector]) -> Polyhedron:

@@ -81,7 +81,7 @@ def balanced(grasp: Grasp, load: RationalVector) -> ConeVerdict:
     for pyramid in PYRAMIDS:
         inside = with_edges(grasp, load, [edge_directions(c, pyramid) for c in grasp])
         motion = inside.separating_motion
-        if motion is None or _gains(grasp, load, motion):
+        if motion is None or separates(grasp, load, motion):
             return inside
         around = with_edges(grasp, load, [_corners(pyramid)] * len(grasp))
         if not around.accepts:
@@ -89,13 +89,11 @@ def balanced(grasp: Grasp, load: RationalVector) -> ConeVerdict:
     return ConeVerdict(None)
 
 
-def separates(grasp: Grasp, wrench: RationalVector, motion: RationalVector) -> bool:
-    """Return whether a motion proves that no forces inside the round cones balance the wrench."""
-    return _gains(grasp, grasp.total_load(wrench), motion)
+def separates(grasp: Grasp, load: RationalVector, motion: RationalVector) -> bool:
+    """Return whether a motion proves that no forces inside the round cones balance a load.
 
-
-def _gains(grasp: Grasp, load: RationalVector, motion: RationalVector) -> bool:
-    """Return whether the load does work on a motion, and no force of any cone negative work."""
+    The load, with all adhesion, does work on it, and no force of any cone negative work.
+    """
     return dot(load, motion) > 0 and all(
         (push := dot(contact.normal_wrench, motion)) >= 0
         and push**2

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any, TypeAlias
 
 from arrangement.hints import HintsMixin
-from arrangement.numbers.exact import RationalVector, shown
+from arrangement.numbers.exact import RationalVector, shown, to_text
 from arrangement.numbers.linear.rank import difference
 
 from .assembly import SIZE, Assembly
@@ -119,6 +119,13 @@ def by_body(subject: Subject, values: Sequence[Fraction]) -> Any:
     if not isinstance(subject, Assembly):
         return tuple(values)
     return {name: tuple(values[SIZE * k : SIZE * (k + 1)]) for k, name in enumerate(subject.names)}
+
+
+def texts(values: Any) -> Any:
+    """Return exact numbers as texts, in rows of any depth and by names."""
+    if isinstance(values, Mapping):
+        return {name: texts(x) for name, x in values.items()}
+    return [texts(x) for x in values] if isinstance(values, list | tuple) else to_text(values)
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ may stop below a part that is resisted, or pass over a gap. Each entry of the ma
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from math import cos, pi, sin
@@ -22,7 +22,7 @@ from equilibrium.model.errors import GraspError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.unit_normal import unit_normal
 
-from .slice import FORCES, resisted_region
+from .slice import resisted_region
 
 #: Of the largest magnitude and the tolerance: a search halves the one until it is below the other.
 MAX_RATIO = 2**200
@@ -83,9 +83,8 @@ def search_map(
     rays: int = 72,
     tolerance: Any = Fraction(1, 1000),
     max_magnitude: Any = 1000,
-    spans: Sequence[Iterable[Any]] = FORCES,
 ) -> SearchMap:
-    """Return the map by binary search, in directions from the first span on: `ResistedSet.search`.
+    """Return the map by binary search, in directions from the x axis on: `ResistedSet.search`.
 
     Directions are exactly unit rational vectors within 10^-6 (radians) of evenly spaced ones, so
     every verdict in the search is about an exact wrench.
@@ -103,7 +102,7 @@ def search_map(
             f"tolerance is {shown(step)}; expected at least 2^-{MAX_RATIO.bit_length() - 1} of "
             f"max_magnitude, which is {shown(largest)}"
         )
-    region = resisted_region(grasp, spans)
+    region = resisted_region(grasp)
     entries = []
     for i in watched(range(rays), "directions"):
         angle = 2 * pi * i / rays

@@ -65,15 +65,6 @@ class Sector:
         return {**ends, **flags}
 
 
-def counter_clockwise(directions: Iterable[IntegerVector]) -> list[IntegerVector]:
-    """Return primitive directions, none zero, without repeats, by angle from (1, 0).
-
-    >>> counter_clockwise([(0, -1), (1, 1), (1, 0)])
-    [(1, 0), (1, 1), (0, -1)]
-    """
-    return sorted(set(directions), key=_angle)
-
-
 def sectors(
     ends: Iterable[IntegerVector], member: Callable[[IntegerVector], bool]
 ) -> tuple[Sector, ...]:
@@ -81,7 +72,7 @@ def sectors(
 
     Exact: each end and one direction between each two neighbours are asked.
     """
-    corners = counter_clockwise([*ends, *_AXES])
+    corners = sorted({*ends, *_AXES}, key=_angle)
     after = [*corners[1:], corners[0]]
     # With the axes among them, neighbours are at most a right angle apart.
     # Stops of even number are corners.
@@ -102,7 +93,11 @@ def sectors(
 
 
 def _angle(direction: IntegerVector) -> tuple[int, Fraction]:
-    """Return the number of the quadrant, and the tangent of the angle in it."""
+    """Return the number of the quadrant, and the tangent of the angle in it.
+
+    >>> sorted([(0, -1), (1, 1), (1, 0)], key=_angle)
+    [(1, 0), (1, 1), (0, -1)]
+    """
     (x, y), quadrant = direction, 0
     while x <= 0 or y < 0:
         x, y, quadrant = y, -x, quadrant + 1

@@ -202,7 +202,7 @@ class TestChecker:
     def test_an_escape_separates_a_load(self):
         grasp = fingers(ROW, "0.49")
         load = [sum(column) for column in zip(*(c.normal_wrench for c in grasp), strict=True)]
-        assert separates(grasp, load, force_closure(grasp).free_motion)
+        assert separates(grasp, grasp.total_load(load), force_closure(grasp).free_motion)
 
 
 def test_without_the_cone_programs_pyramids_decide_or_the_extra_is_named(monkeypatch):
