@@ -47,14 +47,15 @@ relative to that of body_b.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from itertools import compress
 from typing import Any
 
 from arrangement.library.files.json_files import check_keys, check_list
 from arrangement.numbers.exact import RationalVector, dot, rational, rational_vector
 from arrangement.numbers.linear.rank import null_space, unit_vectors
-from equilibrium.model.contact import WRENCH_SIZES, wrench_at
+from equilibrium.model.contact import WRENCH_SIZES
 from equilibrium.model.errors import CertificateError
 from equilibrium.model.grasp import Grasp
 from equilibrium.model.subject import Subject, points_of, seen_by
@@ -81,21 +82,15 @@ def robust_problem(document: Mapping[str, Any], subject: Subject, wrench: Ration
         virtual = _vector(document["virtual_motion"], n, "virtual_motion")
         return virtual_motion_problem(subject, wrench, bounds, virtual)
     m, d = len(points_of(subject)), 3 if n == WRENCH_SIZES[3] and isinstance(subject, Grasp) else 2
-    forces = enumerate(check_list(document["forces"], "forces", m))
+    forces = check_list(document["forces"], "forces", m)
     correction = enumerate(check_list(document["correction"], "correction", m))
     holding = Holding(
         subject,
         wrench,
         bounds,
         _vector(document["motion"], n, "motion"),
-        [_vector(row, d, f"forces[{i}]") for i, row in forces],
-        [
-            [
-                _vector(row, n, f"correction[{i}][{k}]")
-                for k, row in enumerate(check_list(rows, f"correction[{i}]", d))
-            ]
-            for i, rows in correction
-        ],
+        _rows(forces, d, "forces"),
+        [_rows(check_list(x, f"correction[{i}]", d), n, f"correction[{i}]") for i, x in correction],
     )
     reach = _vector(document["reach"], n, "reach")
     return holding.problem(reach, rational(document["energy"], "energy"))
@@ -136,59 +131,47 @@ class Holding:
         correction: Sequence[Rows],
     ) -> None:
         self.subject, self.wrench, self.bounds = subject, wrench, bounds
-        self.points = points_of(subject)
-        self.contacts = [Uncertain(contact, bounds) for contact in self.points]
+        self.contacts = [Uncertain(contact, bounds) for contact in points_of(subject)]
         self.motion, self.forces, self.correction = motion, forces, correction
         pairs = zip(forces, correction, strict=True)
-        self.loose = [not any(force) and not any(map(any, rows)) for force, rows in pairs]
+        self.holding = [any(force) or any(map(any, rows)) for force, rows in pairs]
+        units = (tuple(map(Fraction, unit)) for unit in unit_vectors(len(wrench)))
+        #: How far each unit motion moves each contact, and how far the motion does.
+        self.alongs, self.moved = list(map(self._along, units)), self._along(motion)
+        rows: list[tuple[Fraction, ...]] = []
+        for column in compress(zip(*self.alongs, strict=True), self.holding):
+            rows += zip(*((along.normal, *along.tangents) for along in column), strict=True)
+        #: Orthogonal motions that move no point of a holding contact.
+        self.unfelt: list[Sequence[Fraction]] = []
+        for basic in null_space(rows, len(wrench)):
+            self.unfelt.append(_across(basic, self.unfelt))
 
-    def unfelt(self) -> list[list[Fraction]]:
-        """Return orthogonal motions that move no point of a holding contact."""
-        n = len(self.wrench)
-        rows = []
-        for i, contact in enumerate(self.points):
-            seen = [seen_by(self.subject, i, unit) for unit in _units(n)]
-            for axis in () if self.loose[i] else _units(contact.dimension):
-                moved = wrench_at(contact.point, axis)
-                rows.append([Fraction(dot(moved, unit)) for unit in seen])
-        unfelt: list[list[Fraction]] = []
-        for basic in null_space(rows, n):
-            motion = list(basic)
-            for other in unfelt:
-                share = dot(motion, other) / dot(other, other)
-                motion = [x - share * y for x, y in zip(motion, other, strict=True)]
-            unfelt.append(motion)
-        return unfelt
-
-    def _along(self, i: int, motion: RationalVector) -> Along:
-        """Return how far a motion moves a contact."""
-        return self.contacts[i].along(seen_by(self.subject, i, motion))
+    def _along(self, motion: RationalVector) -> list[Along]:
+        """Return how far a motion moves each contact."""
+        pairs = enumerate(self.contacts)
+        return [contact.along(seen_by(self.subject, i, motion)) for i, contact in pairs]
 
     def balance(self) -> tuple[list[Fraction], list[list[Fraction]]]:
         """Return at least ``|G f + w|`` and ``|G R - 1|`` of all grasps within the bounds."""
-        n, unfelt = len(self.wrench), self.unfelt()
+        changes = [c.ends("adhesion")[1] - c.contact.adhesion for c in self.contacts]
+        pairs = zip(self.contacts, self.forces, strict=True)
+        net = [(normal - c.contact.adhesion, *tangents) for c, (normal, *tangents) in pairs]
+        columns: list[Rows] = [net]
+        for k in range(len(self.wrench)):
+            columns.append([[row[k] for row in rows] for rows in self.correction])
         rests, matrix = [], []
-        pairs = zip(self.points, self.forces, strict=True)
-        net = [(normal - c.adhesion, *tangents) for c, (normal, *tangents) in pairs]
-        for j, unit in enumerate(_units(n)):
-            alongs = [self._along(i, unit) for i in range(len(self.contacts))]
-            total, error = _entry(alongs, net)
-            error += _change_of_adhesion(alongs, self.contacts)
+        for j, alongs in enumerate(self.alongs):
+            (total, error), *sums = (_entry(alongs, column) for column in columns)
+            error += dot(changes, [abs(along.normal) + along.normal_error for along in alongs])
             rests.append(abs(total + self.wrench[j]) + error)
-            columns = ([[row[k] for row in rows] for rows in self.correction] for k in range(n))
-            sums = [_entry(alongs, column) for column in columns]
-            row = [total - (k == j) for k, (total, _) in enumerate(sums)]
-            for null_motion in unfelt:
-                share = dot(row, null_motion) / dot(null_motion, null_motion)
-                row = [x - share * y for x, y in zip(row, null_motion, strict=True)]
+            row = _across([x - (k == j) for k, (x, _) in enumerate(sums)], self.unfelt)
             matrix.append([abs(x) + error for x, (_, error) in zip(row, sums, strict=True)])
         return rests, matrix
 
     def energy(self, reach: RationalVector, energy: Fraction) -> tuple[Fraction, str]:
         """Return at least ``B + sum a^2 / 4k`` for a guess of A, and which contact has no room."""
         needed, problem = Fraction(0), ""
-        for i, contact in enumerate(self.contacts):
-            along = self._along(i, self.motion)
+        for i, (contact, along) in enumerate(zip(self.contacts, self.moved, strict=True)):
             (least_friction, friction), (soft, stiff), (_, preload) = map(
                 contact.ends, ("friction", "stiffness", "preload")
             )
@@ -196,7 +179,7 @@ class Holding:
             spring = nominal.preload - nominal.stiffness * along.normal
             error = preload - nominal.preload + (stiff - nominal.stiffness) * abs(along.normal)
             error += stiff * along.normal_error
-            if self.loose[i]:
+            if not self.holding[i]:
                 top = max(spring + error + friction * stiff * along.slip, Fraction(0))
                 needed += top * top / (4 * soft)
                 continue
@@ -215,17 +198,21 @@ class Holding:
 
     def problem(self, reach: RationalVector, energy: Fraction) -> str:
         """Return why this is not a proof, or nothing."""
-        for i, contact in enumerate(self.points):
-            if not contact.stiffness:
+        for i, contact in enumerate(self.contacts):
+            if not contact.contact.stiffness:
                 return f"contact {i}: it has no spring, and the proof is about springs"
         if not any((*reach, energy)):
-            return self._standing_problem(reach)
+            # Then no contact slips, and each force is that of its spring.
+            if any(self.balance()[0]):
+                return "forces: they do not balance the load for all grasps within the bounds"
+            needed, problem = self.energy(reach, energy)
+            return problem or ("motion: it is no equilibrium for all grasps" if needed else "")
         if min(*reach, energy) <= 0:
             return "reach and energy are not above 0"
-        if unfelt := self.unfelt():
-            if any(dot(null_motion, self.wrench) for null_motion in unfelt):
+        if self.unfelt:
+            if any(dot(null_motion, self.wrench) for null_motion in self.unfelt):
                 return "wrench: no forces of holding contacts balance it"
-            if self.bounds.length or any(self.loose):
+            if self.bounds.length or not all(self.holding):
                 return "forces: the wrenches of the holding contacts do not span all"
         for j, (rest, row) in enumerate(zip(*self.balance(), strict=True)):
             if dot(row, reach) + rest >= reach[j]:
@@ -233,20 +220,8 @@ class Holding:
         needed, problem = self.energy(reach, energy)
         return problem or ("" if needed < energy else "energy: it may be larger within the bounds")
 
-    def _standing_problem(self, zeros: RationalVector) -> str:
-        """Return why motion and forces are no equilibrium of all grasps within bounds, or nothing.
 
-        Where ``B + sum a^2 / 4k`` is 0 no contact slips, and each force is that of its spring.
-        """
-        if any(self.balance()[0]):
-            return "forces: they do not balance the load for all grasps within the bounds"
-        needed, problem = self.energy(zeros, Fraction(0))
-        return problem or ("motion: it is no equilibrium for all grasps" if needed else "")
-
-
-def _entry(
-    alongs: Sequence[Along], forces: Sequence[Sequence[Fraction]]
-) -> tuple[Fraction, Fraction]:
+def _entry(alongs: Sequence[Along], forces: Rows) -> tuple[Fraction, Fraction]:
     """Return one entry of the wrench of forces, and at least its change within the bounds.
 
     Args:
@@ -259,17 +234,12 @@ def _entry(
     return total, error
 
 
-def _change_of_adhesion(alongs: Sequence[Along], contacts: Sequence[Uncertain]) -> Fraction:
-    """Return at least how far one entry of the wrench changes with the sizes of adhesion."""
-    return sum(
-        (contact.ends("adhesion")[1] - contact.contact.adhesion)
-        * (abs(along.normal) + along.normal_error)
-        for along, contact in zip(alongs, contacts, strict=True)
-    )  # type: ignore[return-value]
-
-
-def _units(n: int) -> list[RationalVector]:
-    return [tuple(map(Fraction, row)) for row in unit_vectors(n)]
+def _across(row: Sequence[Fraction], axes: Iterable[Sequence[Fraction]]) -> Sequence[Fraction]:
+    """Return a vector without its shares of orthogonal axes."""
+    for axis in axes:
+        share = dot(row, axis) / dot(axis, axis)
+        row = [x - share * y for x, y in zip(row, axis, strict=True)]
+    return row
 
 
 def read_bounds(document: Mapping[str, Any]) -> Bounds:
@@ -294,3 +264,7 @@ def check_form(document: Mapping[str, Any], kind: str, common: Sequence[str]) ->
 
 def _vector(value: Any, length: int, where: str) -> RationalVector:
     return rational_vector(check_list(value, where, length), where)
+
+
+def _rows(rows: Iterable[Any], length: int, where: str) -> list[RationalVector]:
+    return [_vector(row, length, f"{where}[{i}]") for i, row in enumerate(rows)]
