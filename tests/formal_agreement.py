@@ -167,7 +167,7 @@ def forms() -> Iterator[bytes]:
     contact = {"point": ["0", "-1"], "normal": ["0", "1"], "friction": "1/2"}
     leaf = {"virtual_motion": ["0", "1", "0"], "multipliers": {"0": ["0/3"]}}
     grasp = {"schema_version": 1, "contacts": [contact]}
-    plain = {"schema_version": 3, "certificate": "not resisted", "grasp": grasp}
+    plain = {"schema_version": 4, "certificate": "not resisted", "grasp": grasp}
     plain |= {"wrench": ["0", 1, "+0.0"], "tree": leaf}
 
     def of_contact(key: str, value: Any) -> dict[str, Any]:
@@ -186,7 +186,7 @@ def forms() -> Iterator[bytes]:
         changes.append({"grasp": {**grasp, "units": units}})
     for description in ("", "x" * 10_000, '\ud800 \U0001f600 \\ " \t', 3, None):
         changes.append({"grasp": {**grasp, "description": description}})
-    changes += [{"schema_version": version} for version in (1, 2, "3", 3.0, True, 10**30)]
+    changes += [{"schema_version": version} for version in (1, 2, 3, 5, "3", 3.0, True, 10**30)]
     changes.append({"certificate": "unstable"})
     yield from (json.dumps({**plain, **change}).encode() for change in changes)
 
@@ -219,7 +219,7 @@ def assembly_forms() -> Iterator[bytes]:
     joints = [{"body_a": "a", "body_b": None, **contact}, {"body_a": "b", "body_b": "a", **contact}]
     leaf = {"virtual_motion": {"a": ["0", "1", "0"], "b": ["0", "1", "0"]}}
     assembly = {"bodies": ["a", "b"], "contacts": joints}
-    plain = {"schema_version": 3, "certificate": "not resisted", "assembly": assembly}
+    plain = {"schema_version": 4, "certificate": "not resisted", "assembly": assembly}
     plain |= {"wrench": {"a": ["0", "1", "0"], "b": ["0", "0", "0"]}, "tree": leaf}
 
     def of_joint(**change: Any) -> dict[str, Any]:

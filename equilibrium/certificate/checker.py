@@ -34,7 +34,7 @@ from .assemblies import part_report
 from .enclosure import enclosure_problem
 from .law import displacement_problem, law_problem, law_rows, rows_of
 from .leaf_rule import TreeQuestion
-from .reading import form_of, read_case, read_enclosure, read_equilibrium, read_plane
+from .reading import VERSIONS, form_of, read_case, read_enclosure, read_equilibrium, read_plane
 from .report import Question, Report
 from .robust import read_bounds, robust_problem
 from .tree import tree_report
@@ -73,6 +73,9 @@ def check(
     else:
         proof = document["tree"] if kind == "not resisted" else _read_solution(document, case)
         report = proof_report(case, proof)
+        if report.problem and kind == "not resisted":
+            hint = VERSIONS[document["schema_version"]]
+            report = replace(report, problem=report.problem + hint)
     return replace(report, case=case).asked(question, pyramid, max_displacement)
 
 

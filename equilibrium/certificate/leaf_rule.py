@@ -24,13 +24,11 @@ lambda, and multipliers alpha, h of some contacts (Farkas multipliers of the row
    * h = 0 but where it sticks, and where it slips with ``h . u <= 0`` for the ends u of the
      directions.
 
-   A contact without multipliers has ``alpha = h = 0`` in a tree of states. In a region it does at
-   each generator at least
+   A contact without multipliers that is not detached does at each generator at least
 
-   * 0, if it is detached or all e <= 0, as it has no force;
-   * ``kappa e``, if it is decided otherwise or all e >= 0;
-   * ``min(0, kappa) max(0, e)`` for the rest, which is concave in g: between generators it is not
-     below its interpolation.
+   * ``kappa e``, if all e >= 0;
+   * ``min(0, kappa) max(0, e)`` otherwise, which is concave in g: between generators it is not
+     below its interpolation. Of all motions that is of use for ``kappa >= 0`` alone, as 0.
 4. *Sum.* The load, with all adhesion, is a constant wrench w and does ``lambda . w g_0``. The leaf
    holds if load and least works together are at least 0 at each generator, and above 0 where ``g_0
    > 0``. Each motion of the region is a sum of generators, some with ``g_0 > 0``, so there load and
@@ -99,12 +97,14 @@ class _IntegerContact(NamedTuple):
     Attributes:
         wrenches: (0, N), then (0, T) of each tangent, over `unit`.
         spring: (q, -k N), over `spring_unit`.
+        signs: numbers with the signs of e among all motions.
     """
 
     wrenches: tuple[IntegerVector, ...]
     unit: int
     spring: IntegerVector
     spring_unit: int
+    signs: IntegerVector
     friction: Fraction
 
 
@@ -136,7 +136,9 @@ class TreeQuestion:
             unit, spring_unit = _denominator(chain(*row.wrenches)), _denominator(spring)
             wrenches = tuple((0, *integers_over(wrench, unit)) for wrench in row.wrenches)
             spring_row = integers_over(spring, spring_unit)
-            contact = _IntegerContact(wrenches, unit, spring_row, spring_unit, row.friction)
+            # Without stiffness, which is for contacts in the plane, no motion changes a spring.
+            signs = (1, -1) if any(spring_row[1:]) else spring_row[:1]
+            contact = _IntegerContact(wrenches, unit, spring_row, spring_unit, signs, row.friction)
             self.contacts.append(contact)
             units.append(unit * spring_unit * row.friction.denominator)
         #: Of sums, for a virtual motion in integers.
@@ -215,11 +217,9 @@ class TreeQuestion:
         for i, contact in enumerate(self.contacts):
             state, multipliers = states.get(i, "undecided"), leaf.multipliers.get(i)
             # Most trees have no regions, whose lists would take a tenth of the time.
-            springs = [g.springs[i] for g in region] if region else ()
+            springs = [g.springs[i] for g in region] if region else contact.signs
             slips = [g.slips[i] for g in region] if region else ()
-            is_idle = state == "detached" or (
-                state == "undecided" and bool(springs) and all(e <= 0 for e in springs)
-            )
+            is_idle = state == "detached" or (state == "undecided" and all(e <= 0 for e in springs))
             if is_idle and not multipliers:
                 continue
             alpha, *h = integers_over(multipliers, scale) if multipliers else none
@@ -236,7 +236,8 @@ class TreeQuestion:
                     kappa = a * mu.denominator - mu.numerator * most
                     is_below = alpha * unit_of_kappa <= kappa
                     factors[i] = None if is_idle else (kappa, scale * unit_of_kappa)
-            if multipliers or not region:
+            is_pressed = not multipliers and all(e >= 0 for e in springs)
+            if multipliers or not (region or is_pressed):
                 if broken := broken_multipliers(state, alpha, h, is_below=is_below):
                     values = _numbers(multipliers or none, factors[i])
                     words = f"contact {i + 1}, {state_text(state)}: {values}: {broken}"
@@ -246,7 +247,7 @@ class TreeQuestion:
                     terms += self._pushes(contact, (0, *h)) if any(h) else ()
                 continue
             kappa *= self.unit // (unit_of_kappa * contact.spring_unit)
-            if state != "undecided" or all(e >= 0 for e in springs):
+            if is_pressed:
                 terms.append((kappa, contact.spring))
             elif kappa < 0:
                 concave = [x + kappa * max(0, e) for x, e in zip(concave, springs, strict=True)]

@@ -6,7 +6,7 @@ The law and the rule of leaves are those of one question: `law_problem`, and `wa
 the interval. Then the check takes the same decisions at every value, and what it finds holds at
 each. If one comparison has more answers, the certificate is refused, although its verdict may hold.
 
-``{"schema_version": 3, "certificate": ..., "parameter": {"letter": "t", "from": "2/3", "to": "1"},
+``{"schema_version": 4, "certificate": ..., "parameter": {"letter": "t", "from": "2/3", "to": "1"},
 "grasp": ..., "wrench": ..., "motion": ..., "forces": ...}``, or "tree" for the last two; or
 "assembly" with its wrenches, in place of "grasp". Numbers of the question, of motion and forces and
 of leaves may be expressions in the letter; of an angle they are those of ``u = tan(t / 2)``, and so

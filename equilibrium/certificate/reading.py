@@ -1,6 +1,6 @@
 """The form of certificates: a question, then a motion and forces, or a tree; read node by node.
 
-``{"schema_version": 3, "certificate": "resisted", "grasp": ..., "wrench": [x, y, r],
+``{"schema_version": 4, "certificate": "resisted", "grasp": ..., "wrench": [x, y, r],
 "motion": [x, y, r], "forces": [[c_n, c_t], ...]}``, or ``"not resisted"`` with ``"tree": node``.
 Numbers are integers or texts such as "7/3"; contacts and generators are counted from 0. Nodes cut
 the space of motions or distinguish the states of one contact, and leaves have a virtual motion:
@@ -62,7 +62,12 @@ from equilibrium.model.subject import LoadCase, Subject
 
 from .robust import check_form
 
-SCHEMA_VERSION = 3
+SCHEMA_VERSION = 4
+#: What is read, and what to do where a tree fails.
+VERSIONS = {
+    3: "; version 3 left more multipliers out, so make a new certificate with `equilibrium solve`",
+    SCHEMA_VERSION: "",
+}
 #: Contacts as keys: numbers without leading zeros.
 _INDEX = re.compile("0|[1-9][0-9]{0,8}")
 #: What the proof of a verdict on one question has.
@@ -136,7 +141,7 @@ class Plane(NamedTuple):
 
 
 def check_version(document: Any) -> str:
-    """Return the kind of a certificate of the version that is read here.
+    """Return the kind of a certificate of a version that is read here.
 
     Raises:
         CertificateError: it is something else.
@@ -149,8 +154,9 @@ def check_version(document: Any) -> str:
             f'this is an old certificate ("{kind}", by a list of regions); make a new one with '
             "`equilibrium solve GRASP --wrench FX FY TAU --certificate OUT.json`"
         )
-    if type(version) is not int or version != SCHEMA_VERSION:
-        raise CertificateError(f"schema_version is {shown(version)}; {SCHEMA_VERSION} is read here")
+    if type(version) is not int or version not in VERSIONS:
+        due = " and ".join(map(str, VERSIONS))
+        raise CertificateError(f"schema_version is {shown(version)}; {due} are read here")
     if not isinstance(kind, str) or kind not in KEYS:
         raise CertificateError(f"certificate is {shown(kind)}; expected one of {', '.join(KEYS)}")
     return kind

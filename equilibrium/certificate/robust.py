@@ -36,7 +36,7 @@ If reach and energy are 0, motion and forces themselves are an equilibrium of al
 bounds: they balance the load in each, no contact slips, each normal force is that of its spring,
 and no force leaves its friction cone. This needs no room.
 
-``{"schema_version": 3, "certificate": "resisted", "grasp": ..., "wrench": ..., "bounds":
+``{"schema_version": 4, "certificate": "resisted", "grasp": ..., "wrench": ..., "bounds":
 {"degrees": "1/2", ...}, "motion": c, "forces": [[c_n, c_t], ...], "correction": [rows of R for each
 contact], "reach": Y, "energy": A}``, or "not resisted" with "virtual_motion" for the last five.
 

@@ -484,7 +484,7 @@ class _Carrier:
 
         values, balance = [*leaf.motion], [equation([]) for _ in leaf.motion]
         conditions, slips = list[list[Any]](), list[list[Any]]()
-        implied, pushes = list[bool](), [zero] * (2 * m)
+        decided, pushes = list[bool](), [zero] * (2 * m)
         for i in range(m):
             state = str(place.states.get(i, "undecided"))
             spring, slip = question.symbols["spring", i], question.symbols["slip", i, 0]
@@ -499,18 +499,12 @@ class _Carrier:
                 conditions.append(equation([], k + 1, -sign))
             elif state != "stick":
                 balance.append(equation([], k + 1, 1))
-            least = []
-            attached = "attached" if state == "detached" else state
-            for wrench in question.unit_wrenches(i, attached):
-                factor = [zero + x for x in wrench]
-                least.append(self._sum(factor, leaf.motion))
-                if state != "detached":
-                    conditions.append(equation(factor, k, -1))
+            for wrench in question.unit_wrenches(i, state) if state != "detached" else ():
+                conditions.append(equation([zero + x for x in wrench], k, -1))
             if not sign and not question.is_smooth(i):
                 slips.append(equation([slip.get(j, zero) for j in range(n)]))
-            # In a region a contact that is decided has these multipliers, if it is not listed.
-            implied.append(bool(place.region) and state not in ("undecided", "detached"))
-            values += leaf.multipliers.get(i, (Fraction(min(least) * implied[i]), Fraction(0)))
+            decided.append(bool(place.region) and state not in ("undecided", "detached"))
+            values += leaf.multipliers.get(i, (Fraction(0), Fraction(0)))
         if room:
             work = question.rows.total_load(question.load)
             values = self._with_room(conditions, balance, equation([*work, *pushes]), room)
@@ -522,7 +516,7 @@ class _Carrier:
         multipliers = {
             str(i): [x.text() for x in pair]
             for i, pair in enumerate(pairs)
-            if implied[i] or any(x.top for x in pair)
+            if decided[i] or any(x.top for x in pair)
         }
         motion = self._motion(solved[:n])
         is_short = isinstance(motion, list) and not multipliers

@@ -19,6 +19,7 @@ from arrangement.numbers.linear.intervals import Interval, holds
 from arrangement.numbers.linear.rank import cross
 from arrangement.pictures.lab import lines
 from equilibrium.certificate.checker import check
+from equilibrium.certificate.reading import SCHEMA_VERSION
 from equilibrium.decide.solver import solve
 from equilibrium.methods.compare import predict
 from equilibrium.model.contact import Contact
@@ -192,7 +193,11 @@ def _method(goal: Mapping[str, Any], grasp: Grasp, wrench: Any, motion: Any) -> 
 def _refutes(_: bool, grasp: Grasp, wrench: Any, motion: Any) -> Judged:
     if motion is None or len(motion) != 3:
         return 'there is no motion; expected {"link": "...", "motion": [x, y, r]}'
-    document = {"schema_version": 3, "certificate": "not resisted", "grasp": grasp.to_dict()}
+    document = {
+        "schema_version": SCHEMA_VERSION,
+        "certificate": "not resisted",
+        "grasp": grasp.to_dict(),
+    }
     report = check({**document, "wrench": list(map(str, wrench)), "tree": list(map(str, motion))})
     return bool(report) or report.problem
 

@@ -103,9 +103,9 @@ def _contact_work(
         return (
             [alpha * e + h * s for e, s in zip(spring, slip, strict=True)] if fits[state] else None
         )
-    if state == "detached" or (not state and all(e <= 0 for e in spring)):
+    if state == "detached":
         return [Fraction(0)] * len(region)
-    if state or all(e >= 0 for e in spring):
+    if all(e >= 0 for e in spring):
         return [kappa * e for e in spring]
     return [min(kappa, Fraction(0)) * max(e, Fraction(0)) for e in spring]
 

@@ -34,7 +34,7 @@ def texts(rows):
 
 def document(kind, assembly, wrenches, **proof):
     about = {"assembly": assembly.to_dict(), "wrench": texts(wrenches)}
-    return {"schema_version": 3, "certificate": kind, **about, **proof}
+    return {"schema_version": 4, "certificate": kind, **about, **proof}
 
 
 #: On a body that nothing touches; it holds wherever it stands.
@@ -137,6 +137,31 @@ def test_leaf_holds_exactly_where_the_definition_says_so():
         if sum(right) >= 4:
             found[right.index(False) if problem else -1] += 1
     assert min(found[k] for k in range(-1, 5)) > 3, found
+
+
+def test_contact_without_multipliers_does_nothing_but_with_a_constant_force():
+    """Between two bodies; the factor is 1, or with friction 2 it is -1, and 3 in slip+."""
+    found = Counter()
+    for stiffness, friction, state in product((0, 1), (0, 2), STATES):
+        contact = Contact((0, 0), (0, 1), friction, stiffness, 3)
+        assembly = Assembly((*NAMES, "free"), [BodyContact("a", "b", contact)])
+        leaf = {"virtual_motion": texts({"a": (1, 1, 0)})}
+        kappa = {"slip+": 3}.get(state, -1) if friction else 1
+        due = 3 * kappa if not stiffness else 0 if kappa > 0 else None
+        due = 0 if state == "detached" else due
+        for load in (-10, -9, -4, -3, -1, 0, 1, 2, 3, 4):
+            wrenches = {**dict.fromkeys(NAMES, ZERO), "free": (F(1), F(0), F(0))}
+            wrenches["a"] = (F(0), F(load), F(0))
+            proof = document("not resisted", assembly, wrenches, tree=placed(leaf, {0: state}))
+            holds = due is not None and load + due > 0
+            assert bool(verify(proof)) == holds, (stiffness, friction, state, load)
+            found[due, holds] += 1
+            if stiffness:
+                # As with multipliers 0.
+                zero = {**leaf, "multipliers": {"0": ["0", "0"]}}
+                proof = document("not resisted", assembly, wrenches, tree=placed(zero, {0: state}))
+                assert bool(verify(proof)) == holds
+    assert min(found.values()) > 1
 
 
 def test_equilibrium_holds_exactly_where_the_law_does():
@@ -292,7 +317,7 @@ def test_certificate_of_a_grasp_is_not_about_an_assembly():
 
 def test_assembly_of_no_body_has_no_virtual_motion():
     nothing = {"bodies": [], "contacts": []}
-    document = {"schema_version": 3, "certificate": "not resisted", "assembly": nothing}
+    document = {"schema_version": 4, "certificate": "not resisted", "assembly": nothing}
     found = verify({**document, "wrench": {}, "tree": {"virtual_motion": {}}})
     assert not found
     assert "not above 0" in found.problem

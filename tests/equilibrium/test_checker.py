@@ -329,6 +329,57 @@ def test_one_sided_slip_region_has_one_friction():
     assert not judge.leaf_holds(*asked)
 
 
+#: Two contacts at the origin, pressed up by 3 and 1, the second with friction 2, and a load. On a
+#: virtual motion their factors are 1 and -1, and where both are attached they do ``3 - 1``.
+PRESSED = Grasp([Contact((0, 0), (0, 1), 0, 1, 3), Contact((0, 0), (0, 1), 2, 1, 1)])
+PRESSED_LOAD, SIDEWAYS = (Fraction(0), Fraction(-1), Fraction(0)), ["1", "1", "0"]
+
+
+@pytest.mark.parametrize(
+    ("state", "side", "given", "holds"),
+    [
+        ("attached", 0, {"0": ["1"], "1": ["-1"]}, True),
+        # What is left out is not kappa e where some motions detach the contact, attached or not.
+        ("attached", 0, {"0": ["1"]}, False),
+        ("attached", 0, {"1": ["-1"]}, False),
+        ("attached", 0, {}, False),
+        ("stick", 0, {}, False),
+        ("slip+", 0, {}, False),
+        ("", 0, {}, False),
+        # Where all motions press it, it is, whatever its state.
+        ("attached", -1, {}, True),
+        ("stick", -1, {"1": ["-1"]}, True),
+        ("slip-", -1, {"1": ["-1"]}, True),
+        ("", -1, {}, True),
+        ("detached", -1, {}, False),
+        # 0 is not left out there.
+        ("attached", -1, {"0": ["0"]}, False),
+        ("attached", -1, {"1": ["0"]}, False),
+        ("", -1, {"0": ["0"]}, False),
+        # On the other side the second one does at least -1 where it presses, and then 0.
+        ("attached", 1, {}, False),
+        ("", 1, {"0": ["1"]}, False),
+    ],
+)
+def test_contact_without_multipliers_does_what_its_region_says(state, side, given, holds):
+    region = [judge.ORIGIN, *(judge.axis(j, 1) for j in (1, 2, 3))] if side else judge.half_space()
+    if side:
+        region[2] = judge.axis(2, side)
+    leaf = {"virtual_motion": SIDEWAYS, "multipliers": given}
+    asked = PRESSED, PRESSED_LOAD, leaf, region, dict.fromkeys(range(2), state) if state else {}
+    assert leaf_holds(*asked) == judge.leaf_holds(*asked) == holds
+
+
+def test_constant_force_counts_without_multipliers():
+    """A contact without stiffness is pressed by 3 at all motions, with the factor 1, or -1."""
+    for friction, load, holds in ((0, -2, True), (0, -3, False), (2, 4, True), (2, 3, False)):
+        grasp = Grasp([Contact((0, 0), (0, 1), friction, 0, 3)])
+        for state in ("", "attached", "stick"):
+            wrench = (Fraction(0), Fraction(load), Fraction(0))
+            asked = grasp, wrench, SIDEWAYS, judge.half_space(), {0: state} if state else {}
+            assert leaf_holds(*asked) == judge.leaf_holds(*asked) == holds
+
+
 @pytest.mark.parametrize(
     ("most", "used", "moved", "holds"),
     [
@@ -438,9 +489,10 @@ def test_form_is_checked_behind_a_leaf_that_fails():
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"schema_version": 1}, "schema_version is 1; 3 is read here"),
+        ({"schema_version": 1}, "schema_version is 1; 3 and 4 are read here"),
         ({"schema_version": True}, "schema_version is True"),
         ({"schema_version": 3.0}, "schema_version is 3.0"),
+        ({"schema_version": 5}, "schema_version is 5"),
         ({"certificate": "maybe"}, "expected one of resisted, not resisted"),
         ({"certificate": ["resisted"]}, "expected one of resisted, not resisted"),
         ({"certificate": "resisted"}, "tree"),
@@ -459,6 +511,25 @@ def test_what_is_no_certificate_is_one_clear_error(change, words):
         check({**with_tree(LEAF), **change})
     with pytest.raises(InputError, match="expected an object"):
         check([with_tree(LEAF)])
+
+
+def test_version_3_is_read_by_the_same_rule():
+    for seed in REFUTED[:4]:
+        for version, (_, _, document) in product((3, 4), mutants(refuted(seed, 0), 12, seed)):
+            if document.get("schema_version") == 4:
+                try:
+                    expected = bool(check(document))
+                except InputError:
+                    continue
+                assert bool(check({**document, "schema_version": version})) == expected
+    # It left out multipliers of attached contacts, which are not assumed.
+    attached = {"contact": 0, "attachment": {"detached": LEAF, "attached": SIDEWAYS}}
+    proof = refuted_certificate(PRESSED, PRESSED_LOAD, attached).to_dict()
+    problem = check(proof).problem
+    assert "equilibrium solve" not in problem
+    old = check({**proof, "schema_version": 3}).problem
+    assert old.startswith(f"{problem}; version 3 left more multipliers out")
+    assert "make a new certificate with `equilibrium solve`" in old
 
 
 def test_deep_documents_end_with_an_error():

@@ -137,7 +137,7 @@ def test_a_refuting_motion_is_one_that_the_checker_takes(page, browser):
     for motion in ("1, -1, 1", "0, 0, 1", "0, 0, -1", "1, 0, 0", "-1, 1, 1", "0, 1, 1", "-3, 3, 1"):
         browser.put("motion", motion, "input")
         said[motion] = checked(browser)
-    proof = {"schema_version": 3, "certificate": "not resisted", "grasp": grasp.to_dict()}
+    proof = {"schema_version": 4, "certificate": "not resisted", "grasp": grasp.to_dict()}
     for motion, text in said.items():
         document = {**proof, "wrench": list(map(str, wrench)), "tree": motion.split(", ")}
         assert text.startswith("✓") == bool(check(document)), (motion, text)

@@ -99,7 +99,7 @@ def test_the_regions_of_each_map_fill_it_once(seed):
 
 
 def test_a_proof_by_states_is_drawn_and_said_by_their_planes():
-    aside = {"virtual_motion": ["1", "2", "0"], "multipliers": {"0": ["-2"]}}
+    aside = {"virtual_motion": ["1", "2", "0"], "multipliers": {"0": ["-2"], "2": ["-2"]}}
     inner = {"contact": 2, "attachment": {"detached": ["1", "2", "0"], "attached": aside}}
     tree = {"contact": 0, "attachment": {"detached": ["-1", "2", "0"], "attached": inner}}
     wrench = (Fraction(0), Fraction(1), Fraction(0))

@@ -645,6 +645,14 @@ def test_leaves_handed_over_are_checked_as_those_of_files():
     assert proof_report(verdict.case, verdict.tree)
     for leaf in leaves_of(verdict.tree):
         for i, (alpha, *h) in leaf.multipliers.items():
+            others = {j: row for j, row in leaf.multipliers.items() if j != i}
+            zero = {**others, i: (F(0), F(0), F(0))}
+            trees = (
+                with_leaf(verdict.tree, leaf, Leaf(leaf.motion, rows)) for rows in (others, zero)
+            )
+            omitted, counted = (proof_report(verdict.case, tree) for tree in trees)
+            assert omitted.problem.partition(":")[0] == counted.problem.partition(":")[0]
+            assert not omitted
             wrong = Leaf(leaf.motion, {**leaf.multipliers, i: (alpha + 1, *h)})
             assert not proof_report(verdict.case, with_leaf(verdict.tree, leaf, wrong))
             refused += 1

@@ -126,12 +126,7 @@ PLANTED = {
             ("|| string_of_int i <> key", "|| not FAULT && string_of_int i <> key")
         ],
         "let multiplier ": [("Z.of_int (subject.number i)", "Z.of_int (subject.number i + 1)")],
-        "let leaf ": [
-            (
-                "else [] in\n  Leaf",
-                "else [] in\n  let others = if FAULT then [] else others in\n  Leaf",
-            )
-        ],
+        "let leaf ": [("List.map (multiplier subject) given", "[]")],
         "let orthants ": [("(last c d)", "(last d c)")],
     },
     "grasp_reader.ml": {

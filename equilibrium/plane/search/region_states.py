@@ -158,8 +158,7 @@ class StateSplits:
             ):
                 rows[i] = (least, Fraction(0))
         moved = {i: row for i, row in leaf.displacements.items() if any(row)}
-        # A detached contact without multipliers has multipliers 0.
-        used = {i: x for i, x in rows.items() if any(x) or program.states[i] != "detached"}
+        used = {i: x for i, x in rows.items() if any(x)}
         return Leaf(leaf.motion, used, moved).at(self.open).primitive()
 
     def _factor(self, i: int, motion: RationalVector) -> Fraction:

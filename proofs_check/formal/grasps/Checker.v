@@ -191,15 +191,13 @@ Definition bound_without (c : body) (s : state) (gens : list (list Q)) (l : list
   if negb (one_tangent c) then bound_with c s gens l (0, 0, 0)%Q
   else
     match s with
+    | Sector _ _ => None
     | Detached => Some (Linear [])
-    | Undecided =>
-        if forallb (fun g => qnonneg (Qopp (qdot (spring c) g))) gens then Some (Linear [])
-        else if forallb (fun g => qnonneg (qdot (spring c) g)) gens then
+    | _ =>
+        if forallb (fun g => qnonneg (qdot (spring c) g)) gens then
           Some (Linear (qscaled k (spring c)))
         else if qnonneg k then Some (Linear [])
         else Some (Pressed k (spring c))
-    | Sector _ _ => None
-    | _ => Some (Linear (qscaled k (spring c)))
     end.
 
 Definition given (i : Z) (multipliers : list (Z * (Q * Q * Q))) : option (Q * Q * Q) :=

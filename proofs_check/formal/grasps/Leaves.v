@@ -288,38 +288,28 @@ Section Bound.
       intros u v. unfold way_of. rewrite One. cbn [negb]. destruct s; try easy;
         [destruct (forallb _ gens); [|destruct (forallb _ gens)]; easy ..|].
       intros [= -> ->]. now destruct (N u v). }
-    pose proof (normal_nonneg Law) as Nn.
-    pose proof (@normal_attached _ _ _ _ _ Law) as Na. fold r in Na.
-    pose proof (@normal_detached _ _ _ _ _ Law) as Nd. fold r in Nd.
-    pose proof (@nothing_works d c c_n c_1 c_2 Law l) as Nothing. rewrite work_pairs in Nothing.
-    assert (0 <= spring_at r d -> (forall u v, s <> Sector u v) ->
-      dot (reals (qscaled k (spring (body_of c)))) (1 :: d) <= work) as Pressing.
-    { intros A N. rewrite qscaled_real, dot_times, spring_form, <- (Na A). auto. }
-    destruct s as [| | | | | |u v] eqn:Es; cbn [in_state] in State; fold r in State; intros E.
-    - assert (forall u v, Undecided <> Sector u v) as N by easy.
-      destruct (forallb _ gens) eqn:E1 in E.
-      { apply some_same in E; subst m. cbn. split; trivial. rewrite Nothing; [lra|]. apply Nd.
-        rewrite <- spring_form. apply (form_nonpos _ Here). intros g G.
-        rewrite forallb_forall in E1. specialize (E1 _ G). apply qnonneg_real in E1.
-        rewrite Q2R_opp, qdot_real in E1. lra. }
-      destruct (forallb _ gens) eqn:E2 in E.
-      { apply some_same in E; subst m. cbn [value concave]. split; trivial. apply Pressing; trivial.
+    assert ((forall u v, s <> Sector u v) ->
+      (if forallb (fun g => qnonneg (qdot (spring (body_of c)) g)) gens then
+         Some (Linear (qscaled k (spring (body_of c))))
+       else if qnonneg k then Some (Linear []) else Some (Pressed k (spring (body_of c)))) = Some m ->
+      concave m /\ value m (1 :: d) <= work) as Pressing.
+    { intros N E. specialize (K N). pose proof (normal_nonneg Law) as Nn.
+      pose proof (@normal_attached _ _ _ _ _ Law) as Na. fold r in Na.
+      destruct (forallb _ gens) eqn:P in E; [|destruct (qnonneg k) eqn:Nonneg in E];
+        apply some_same in E; subst m; cbn [value concave].
+      - split; trivial.
+        rewrite qscaled_real, dot_times, spring_form, <- Na; trivial.
         rewrite <- spring_form. apply (form_nonneg _ Here). intros g G.
-        rewrite forallb_forall in E2. specialize (E2 _ G). apply qnonneg_real in E2.
-        now rewrite qdot_real in E2. }
-      specialize (K N).
-      destruct (qnonneg k) eqn:P; apply some_same in E; subst m; cbn [value concave].
-      + split; trivial. apply qnonneg_real in P. cbn [reals map dot]. nra.
-      + assert (Q2R k <= 0) as Neg.
+        rewrite forallb_forall in P. specialize (P _ G). apply qnonneg_real in P.
+        now rewrite qdot_real in P.
+      - split; trivial. apply qnonneg_real in Nonneg. cbn [reals map dot]. nra.
+      - assert (Q2R k <= 0) as Neg.
         { left. apply Rnot_le_lt. intros L. apply qnonneg_real in L. congruence. }
         split; trivial. rewrite spring_form.
-        assert (c_n = Rmax 0 (spring_at r d)) as <- by exact (proj1 Law). exact K.
-    - apply some_same in E; subst m. cbn. split; trivial. rewrite Nothing; [lra|]. auto.
-    - apply some_same in E; subst m. cbn [value concave]. split; trivial. now apply Pressing.
-    - apply some_same in E; subst m. cbn [value concave]. split; trivial. now apply Pressing.
-    - apply some_same in E; subst m. cbn [value concave]. split; trivial. now apply Pressing.
-    - apply some_same in E; subst m. cbn [value concave]. split; trivial. now apply Pressing.
-    - discriminate.
+        assert (c_n = Rmax 0 (spring_at r d)) as <- by exact (proj1 Law). exact K. }
+    destruct s as [| | | | | |u v]; try (apply Pressing; easy); intros E; [|discriminate].
+    apply some_same in E; subst m. cbn. split; trivial. rewrite <- work_pairs.
+    rewrite (@nothing_works d c c_n c_1 c_2 Law l); [lra|]. exact (normal_detached Law State).
   Qed.
 End Bound.
 

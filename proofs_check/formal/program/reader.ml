@@ -85,9 +85,10 @@ let index where below value =
   | Integer i when Z.sign i >= 0 && Z.lt i (Z.of_int below) -> Z.to_int i
   | _ -> malformed "%s is not a number from 0 to %d" where (below - 1)
 
-let version where due members =
+let version ?old where due members =
+  let dues = due :: Option.to_list old in
   match List.assoc "schema_version" members with
-  | Integer n when Z.equal n (Z.of_int due) -> ()
+  | Integer n when List.exists (fun due -> Z.equal n (Z.of_int due)) dues -> ()
   | _ -> malformed "the schema_version of %s is not %d" where due
 
 (* Friction, preload and stiffness of a contact, at least 0; in space the stiffness is above 0. *)
@@ -174,5 +175,5 @@ let certificate subject value =
   let own = if kind = "resisted" then [ "motion"; "forces" ] else [ "tree" ] in
   ignore (keys "the certificate" ([ "schema_version"; "certificate"; subject; "wrench" ] @ own) []
     value);
-  version "the certificate" 3 members;
+  version ~old:3 "the certificate" 4 members;
   (kind, members)

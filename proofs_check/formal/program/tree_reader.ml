@@ -17,7 +17,7 @@ type subject = {
   number : int -> int;  (* of a contact, among those of the question *)
   tangents : int;
   motion : string -> t -> q list;
-  whole_multipliers : bool;  (* each leaf has both or none; those that it has not are 0 *)
+  whole_multipliers : bool;  (* of a contact both; a leaf may have none *)
   regions : bool;
 }
 
@@ -49,14 +49,7 @@ let leaf subject value =
     | None -> []
     | Some _ -> malformed "multipliers is not an object" in
   let motion = subject.motion "virtual_motion" (List.assoc "virtual_motion" members) in
-  let multipliers = List.map (multiplier subject) given in
-  let zero i = (Z.of_int i, ((whole 0, whole 0), whole 0)) in
-  let others =
-    if subject.whole_multipliers then
-      List.filter (fun (i, _) -> not (List.mem_assoc i multipliers))
-        (List.init subject.contacts zero)
-    else [] in
-  Leaf (motion, multipliers @ others)
+  Leaf (motion, List.map (multiplier subject) given)
 
 (* What is known of a contact, as far as a further split needs to know. *)
 type decided = Touches | Closed | Slides of direction * direction

@@ -91,8 +91,7 @@ function leafProblem({ scale, wrench, contacts }, region, states, leaf) {
       const free = state === "stick" || !h || (state === "slip-" && h > 0n) || (state === "slip+" && h < 0n);
       if (!free) return `contact ${i + 1}: h has the wrong sign`;
       add(({ e, s }) => scale * (alpha * e[i] + h * s[i]));
-    } else if (["attached", "stick", "slip+", "slip-"].includes(state) || (state === "undecided" && region.every(({ e }) => e[i] >= 0n))) add(({ e }) => kappa * e[i]);
-    else if (state === "undecided" && kappa < 0n) add(({ e }) => (e[i] > 0n ? kappa * e[i] : 0n));
+    } else if (state !== "detached" && (kappa < 0n || region.every(({ e }) => e[i] >= 0n))) add(({ e }) => (e[i] > 0n ? kappa * e[i] : 0n));
   }
   const bad = least.findIndex((work, g) => work < 0n || (work === 0n && region[g].v[0] !== 0n));
   return bad < 0 ? "" : `at the generator (${region[bad].v.join(", ")}) the work of load and contacts is not above 0`;
@@ -101,8 +100,8 @@ function leafProblem({ scale, wrench, contacts }, region, states, leaf) {
 // A certificate as a document: { valid, certificate, leaves, problem }. What is not a certificate is an Error.
 function checkDocument(document) {
   const kind = document?.certificate;
-  if (document?.schema_version !== 3 || !["resisted", "not resisted"].includes(kind)) {
-    throw new Error("this is not a certificate: it needs \"schema_version\": 3 and \"certificate\"");
+  if (![3, 4].includes(document?.schema_version) || !["resisted", "not resisted"].includes(kind)) {
+    throw new Error("this is not a certificate: it needs \"schema_version\": 4 and \"certificate\"");
   }
   if (Object.hasOwn(document, "max_displacement")) {
     throw new Error("the certificate has a max_displacement, and this checker knows no bounded displacements");

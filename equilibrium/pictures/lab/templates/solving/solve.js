@@ -202,7 +202,7 @@ const texts = (row) => row.map(textOf);
 
 // The certificate of a verdict, in the form that `equilibrium verify` reads.
 function certificateOf(grasp, wrench, found) {
-  const base = { schema_version: 3, certificate: found.stable ? "resisted" : "not resisted",
+  const base = { schema_version: 4, certificate: found.stable ? "resisted" : "not resisted",
     grasp: documentOf(grasp), wrench: texts(wrench) };
   if (found.stable) {
     const { motion, forces } = found.equilibria[0];
