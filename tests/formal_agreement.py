@@ -30,7 +30,7 @@ from arrangement import InputError
 from arrangement.numbers.exact import to_text
 from equilibrium import Assembly, Contact, Grasp, Solution, read_certificate, solve
 from equilibrium.certificate.checker import check
-from equilibrium.certificate.document import refuted_certificate, resisted_certificate
+from equilibrium.certificate.document import certificate, resisted_certificate
 from equilibrium.certificate.reading import read_case
 from equilibrium.grasps.inputs.random import random_grasp
 from equilibrium.model.contact import VALUES
@@ -98,7 +98,7 @@ def documents(seed: int) -> Iterator[dict[str, Any]]:
                 tree = refutation(asked.grasp, asked.wrench, shape, NODES)
             except TooLarge:
                 continue
-            yield refuted_certificate(asked.grasp, asked.wrench, tree).to_dict()
+            yield certificate("not resisted", asked.grasp, asked.wrench, tree=tree).to_dict()
 
 
 def _pulling(contacts: Iterable[Contact], seed: int) -> Grasp:

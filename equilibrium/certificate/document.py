@@ -84,22 +84,6 @@ def resisted_certificate(
     return certificate("resisted", subject, load, max_displacement=max_displacement, enclosure=form)
 
 
-def refuted_certificate(
-    subject: Subject,
-    load: RationalVector,
-    tree: Any,
-    pyramid: int | None = None,
-    max_displacement: Fraction | None = None,
-) -> Certificate:
-    """Return the certificate that no equilibrium exists, among bounded displacements if so asked.
-
-    Args:
-        tree: the root node, in the form of `equilibrium.certificate.reading`.
-        pyramid: edges of friction pyramids; None for round cones.
-    """
-    return certificate("not resisted", subject, load, pyramid, max_displacement, tree=tree)
-
-
 def certificate(
     kind: str,
     subject: Subject,
@@ -112,6 +96,7 @@ def certificate(
 
     Args:
         subject: a grasp, or an assembly; then the load has the wrenches on its bodies in a row.
+        pyramid: edges of friction pyramids; None for round cones.
         proof: by the keys of `equilibrium.certificate.reading`, or of a verdict for all grasps
             within bounds those of `equilibrium.certificate.robust`.
     """

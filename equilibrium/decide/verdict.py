@@ -22,11 +22,7 @@ from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector, to_text, vector_text
 from arrangement.synonyms import by_word
 from equilibrium.certificate.checker import check, proof_report
-from equilibrium.certificate.document import (
-    Certificate,
-    refuted_certificate,
-    resisted_certificate,
-)
+from equilibrium.certificate.document import Certificate, certificate, resisted_certificate
 from equilibrium.certificate.report import Report
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.model.assembly import Assembly, Wrenches
@@ -313,7 +309,7 @@ class Verdict(AboutCaseMixin):
             return None
         limits = self.pyramid, self.max_displacement
         if self.solution is None:
-            return refuted_certificate(self.subject, self.load, self.tree, *limits)
+            return certificate("not resisted", self.subject, self.load, *limits, tree=self.tree)
         return resisted_certificate(self.subject, self.load, self.solution, *limits)
 
     def verify(self) -> Report:

@@ -35,7 +35,7 @@ from equilibrium.certificate import (
     tree,
 )
 from equilibrium.certificate.checker import check
-from equilibrium.certificate.document import Certificate, refuted_certificate, resisted_certificate
+from equilibrium.certificate.document import Certificate, certificate, resisted_certificate
 from equilibrium.certificate.report import Report
 from equilibrium.certificate.tree import MAX_DEPTH
 from equilibrium.grasps.schemas import certificate_schema
@@ -60,7 +60,7 @@ def refuted(seed: int, tree: int) -> dict[str, Any]:
             found = trees.refutation(asked.grasp, asked.wrench, 100 * seed + other, 60)
         except trees.TooLarge:
             continue
-        return refuted_certificate(asked.grasp, asked.wrench, found).to_dict()
+        return certificate("not resisted", asked.grasp, asked.wrench, tree=found).to_dict()
     raise AssertionError(f"no small tree for the question of seed {seed}")
 
 
@@ -120,7 +120,7 @@ SLIP = {"contact": 0, "slip": {"stick": LEAF, "slip+": LEAF, "slip-": LEAF}}
 
 
 def with_tree(tree: Any) -> dict[str, Any]:
-    document = refuted_certificate(ONE, (Fraction(1),) * 3, None).to_dict()
+    document = certificate("not resisted", ONE, (Fraction(1),) * 3, tree=None).to_dict()
     return {**document, "tree": tree}
 
 
@@ -247,7 +247,9 @@ def test_regions_are_those_of_the_definition(monkeypatch):
 
 
 def test_load_on_a_grasp_without_contacts_is_refuted_by_any_motion_with_it() -> None:
-    proof = refuted_certificate(Grasp(), (Fraction(1), Fraction(0), Fraction(0)), ["1", "0", "0"])
+    proof = certificate(
+        "not resisted", Grasp(), (Fraction(1), Fraction(0), Fraction(0)), tree=["1", "0", "0"]
+    )
     assert proof.verify()
     orthants = {"orthants": [["1", "0", "0"]] * 8}
     tree = {**proof.to_dict(), "tree": orthants}
@@ -462,7 +464,9 @@ def test_equilibrium_moves_no_point_further_than_counts(point, most, motion, wor
 )
 def test_the_inequality_that_fails_is_named_with_its_numbers(leaf, words):
     """One contact below, spring 1 - y; the load (0, 1, 0) lifts."""
-    document = refuted_certificate(ONE, (Fraction(0), Fraction(1), Fraction(0)), leaf).to_dict()
+    document = certificate(
+        "not resisted", ONE, (Fraction(0), Fraction(1), Fraction(0)), tree=leaf
+    ).to_dict()
     assert check(document).problem.startswith(words)
 
 
@@ -476,7 +480,9 @@ def test_the_inequality_that_fails_is_named_with_its_numbers(leaf, words):
 def test_named_numbers_have_the_right_units(leaf, words):
     """Stiffness and friction with denominators: the checker counts in thirtieths here."""
     grasp = Grasp([Contact((0, 0), (0, 1), "1/5", "1/3", 1)])
-    document = refuted_certificate(grasp, (Fraction(0), Fraction(1), Fraction(0)), leaf).to_dict()
+    document = certificate(
+        "not resisted", grasp, (Fraction(0), Fraction(1), Fraction(0)), tree=leaf
+    ).to_dict()
     assert words in check(document).problem
 
 
@@ -711,7 +717,9 @@ def test_no_tree_for_a_resisted_question_is_accepted(documents):
         asked = question(seed)
         for document in documents[: len(REFUTED) * len(TREES)]:
             tree = document["tree"]
-            report = report_of(refuted_certificate(asked.grasp, asked.wrench, tree).to_dict())
+            report = report_of(
+                certificate("not resisted", asked.grasp, asked.wrench, tree=tree).to_dict()
+            )
             tried += report is not None
             assert not report
     assert tried > 100

@@ -18,7 +18,7 @@ from arrangement.numbers.expressions import read_expression
 from arrangement.numbers.functions import Domain, Function, Span, Undecided
 from equilibrium import GraspError, ResistedSet, read_grasp, resisted_values, solve
 from equilibrium.certificate.checker import check
-from equilibrium.certificate.document import refuted_certificate, resisted_certificate
+from equilibrium.certificate.document import certificate, resisted_certificate
 from equilibrium.grasps.inputs.parameter import read_parametric
 from equilibrium.grasps.schemas import parameter_certificate_schema
 from equilibrium.model.solution import Solution
@@ -224,7 +224,7 @@ def test_certificates_hold_at_single_values_by_the_ordinary_checker(answers):
                 subject, load = answer.family.at(value)
                 proof = numbers_at(dict(piece.proof), "t", value)
                 if "tree" in proof:
-                    made = refuted_certificate(subject, load, proof["tree"])
+                    made = certificate("not resisted", subject, load, tree=proof["tree"])
                 else:
                     forces = tuple(tuple(map(F, row)) for row in proof["forces"])
                     made = resisted_certificate(
@@ -377,13 +377,13 @@ def test_certificates_are_compared_with_a_question_with_the_letter(tmp_path, run
     assert "not compared with a question" in run(*(line[:2]))
     stack = tmp_path / "stack.json"
     stack.write_text(json.dumps(STACK))
-    for certificate in resisted_values(STACK, 0, 1).certificates:
-        proof.write_text(json.dumps(certificate))
+    for document in resisted_values(STACK, 0, 1).certificates:
+        proof.write_text(json.dumps(document))
         run("verify {} --grasp", proof, stack)
-    report = check(certificate, read_parametric({**STACK, "bodies": ["lower", "other"]}))
+    report = check(document, read_parametric({**STACK, "bodies": ["lower", "other"]}))
     assert "other bodies" in report.problem
-    assert "other bodies" in check(certificate, read_parametric(LADDER)).problem
-    assert "parameter is another one" in check(certificate, read_parametric(SLOPE)).problem
+    assert "other bodies" in check(document, read_parametric(LADDER)).problem
+    assert "parameter is another one" in check(document, read_parametric(SLOPE)).problem
 
 
 @pytest.mark.parametrize(

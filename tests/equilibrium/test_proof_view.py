@@ -13,7 +13,7 @@ from arrangement.drawing.scene import Label, Path, area, measure
 from arrangement.numbers.exact import dot
 from equilibrium import Grasp, GraspError, Verdict, read_grasp, solve
 from equilibrium.certificate.checker import check
-from equilibrium.certificate.document import refuted_certificate
+from equilibrium.certificate.document import certificate
 from equilibrium.certificate.leaves import ClosedPart, parts, works
 from equilibrium.decide.solver import Solver
 from equilibrium.decide.verdict_text import verdict_lines
@@ -57,7 +57,9 @@ def test_contact_work_bounded_for_any_friction(seed, slow):
     document = verdict.certificate.to_dict()
     if slow:
         try:
-            document = refuted_certificate(grasp, wrench, refutation(grasp, wrench, seed)).to_dict()
+            document = certificate(
+                "not resisted", grasp, wrench, tree=refutation(grasp, wrench, seed)
+            ).to_dict()
         except TooLarge:
             reject()
     found, touches = list(parts(document)), asked(grasp, wrench).touches

@@ -14,7 +14,7 @@ from arrangement.errors import OutOfReachError
 from arrangement.numbers import budget, deadline
 from equilibrium import Contact, Grasp, TimeLimitError, read_grasp, solve
 from equilibrium.certificate.checker import check
-from equilibrium.certificate.document import refuted_certificate
+from equilibrium.certificate.document import certificate
 from equilibrium.core.contact_law import LinearQuestion
 from equilibrium.core.contacts import IntegerContacts
 from equilibrium.decide.solver import Solver
@@ -58,7 +58,9 @@ def assert_true(grasp: Grasp, wrench: Wrench, found: Any) -> bool:
     if isinstance(found, Solution):
         assert oracle.satisfies(grasp, wrench, found.motion, found.forces)
         return True
-    report = check(refuted_certificate(grasp, wrench, found).to_dict(), (grasp, wrench))
+    report = check(
+        certificate("not resisted", grasp, wrench, tree=found).to_dict(), (grasp, wrench)
+    )
     assert report, report.problem
     return False
 

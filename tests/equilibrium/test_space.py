@@ -22,7 +22,7 @@ from arrangement.numbers.exact import dot
 from arrangement.numbers.linear.programs import Infeasible, feasible_point
 from equilibrium import Grasp, Solution, Verdict, read_grasp, solve, unit_normal
 from equilibrium.certificate.checker import check
-from equilibrium.certificate.document import refuted_certificate, resisted_certificate
+from equilibrium.certificate.document import certificate, resisted_certificate
 from equilibrium.core.cones import RoundCones
 from equilibrium.core.contacts import FloatContacts
 from equilibrium.core.exact_parts import ExactParts
@@ -194,7 +194,7 @@ def test_exact_program_of_bounded_displacements_has_a_proof():
     floats = FloatContacts(ContactRows.of_grasp(grasp))
     leaf = ExactParts(floats, load, Effort(), bound).part(["undecided"] * 2, np.zeros((2, 2)))
     assert leaf.multipliers.keys() == leaf.displacements.keys()
-    assert check(refuted_certificate(grasp, load, leaf, None, bound).to_dict())
+    assert check(certificate("not resisted", grasp, load, None, bound, tree=leaf).to_dict())
 
 
 @pytest.mark.parametrize(
@@ -679,7 +679,7 @@ class TestPlanes:
     def proof(self):
         grasp, wrench = in_a_plane()
         tree = decide_in_plane(grasp, wrench, Effort())
-        return refuted_certificate(grasp, wrench, tree).to_dict()
+        return certificate("not resisted", grasp, wrench, tree=tree).to_dict()
 
     def test_one_contact_holds_a_push_along_its_normal(self):
         table = Grasp([Contact([0, 0, 0], [0, 0, 1], 1)])
