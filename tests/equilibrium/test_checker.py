@@ -530,7 +530,7 @@ def test_version_3_is_read_by_the_same_rule():
                 assert bool(check({**document, "schema_version": version})) == expected
     # It left out multipliers of attached contacts, which are not assumed.
     attached = {"contact": 0, "attachment": {"detached": LEAF, "attached": SIDEWAYS}}
-    proof = refuted_certificate(PRESSED, PRESSED_LOAD, attached).to_dict()
+    proof = certificate("not resisted", PRESSED, PRESSED_LOAD, tree=attached).to_dict()
     problem = check(proof).problem
     assert "equilibrium solve" not in problem
     old = check({**proof, "schema_version": 3}).problem
