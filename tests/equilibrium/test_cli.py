@@ -23,6 +23,13 @@ def test_verdicts_in_json(run):
     assert (run.err, document["stable"], document["equilibria"]) == ("", False, [])
 
 
+def test_help_beside_a_wrench_in_space_is_that_of_any_wrench(run):
+    usage = run("solve --help")
+    assert "--wrench F_X F_Y TAU" in usage
+    run("solve two-opposed-fingers --wrench 0 1 0 0 0 0")
+    assert run("solve two-opposed-fingers --wrench 0 1 0 0 0 0 --help") == usage
+
+
 def test_all_equilibria_of_many_contacts_on_request(run, tmp_path):
     path = tmp_path / "grasp.json"
     for contacts, complete in ((20, True), (21, False)):

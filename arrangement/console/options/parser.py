@@ -101,8 +101,6 @@ class Parser(argparse.ArgumentParser):
         """Parse, with all options; ``--help`` comes through here too."""
         self.arguments = words = sys.argv[1:] if args is None else args
         self._seen = []
-        for option, least in self.variadic.items():
-            option.nargs = least
         self.add_lazy_options()
         arguments, rest = super().parse_known_args(list(self._split_numbers(words)), namespace)
         for word in rest:
@@ -182,6 +180,8 @@ class Parser(argparse.ArgumentParser):
 
     def format_help(self) -> str:
         """Return the help; a program with headings lists its commands under them."""
+        for option, least in self.variadic.items():
+            option.nargs = least  # as many as it has names for
         if not self.headings:
             return super().format_help()
         parts = [f"usage: {self.prog} [--version] COMMAND ...", self.description or ""]
