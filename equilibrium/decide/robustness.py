@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any
 from arrangement.errors import OutOfReachError
 from arrangement.numbers.deadline import Deadline
 from arrangement.numbers.exact import RationalVector
-from equilibrium.certificate.document import Certificate
 from equilibrium.certificate.uncertain import Bounds
 from equilibrium.grasps.inputs.incidences import other_rounding
 from equilibrium.model.contact import VALUES, Contact
@@ -60,34 +59,27 @@ def _nearest(
     smaller bounds, if found.
     """
     ends, effort = (verdict.subject, turned.subject), effort_within(deadline)
+    decide = _decider(verdict, deadline, effort)
     low, high = Fraction(0), Fraction(1)
     for _ in range(_MAX_GRASPS_BETWEEN):
         if effort.passed or 4 * low > 3 * high or (not low and high <= _SMALL_SHARE):
             break
         share = (low + high) / 2 if low else high / 8
-        other = _soon(verdict, effort, _between(*ends, share), verdict.load)
+        other = decide(_between(*ends, share), verdict.load)
         if other is not None and other.verdict == turned.verdict:
             turned, high = other, share
         else:
             low = share
     change = dict.fromkeys(("point", "normal", *VALUES), Fraction(0))
-    for old, new in zip(*(map(contacts_of, (verdict.subject, turned.subject))), strict=True):
+    for old, new in zip(*map(contacts_of, (verdict.subject, turned.subject)), strict=True):
         for name in change:
             one, two = (getattr(c, name) for c in (old, new))
             pairs = [(one, two)] if name in VALUES else zip(one, two, strict=True)
             change[name] = max(change[name], *(abs(x - y) for x, y in pairs))
-    return {"turned": turned, "change": change, "inner": _inner(verdict, bounds, high, deadline)}
-
-
-def _inner(
-    verdict: Verdict, bounds: Bounds, share: Fraction, deadline: Deadline
-) -> Certificate | None:
-    """Return a proof for bounds below a share of the given ones, if one is found."""
-    for k in range(_MAX_SMALLER_BOUNDS if _may_be_proved(verdict) and _fits_floats(verdict) else 0):
-        proof = proof_for_all(verdict, bounds.times(share / 2 / 4**k), deadline)
-        if proof is not None:
-            return proof
-    return None
+    tries = _MAX_SMALLER_BOUNDS if _may_be_proved(verdict) and _fits_floats(verdict) else 0
+    smaller = (bounds.times(high / 2 / 4**k) for k in range(tries))
+    proofs = (proof_for_all(verdict, inner, deadline) for inner in smaller)
+    return {"turned": turned, "change": change, "inner": next(filter(None, proofs), None)}
 
 
 def _between(one: Subject, two: Subject, share: Fraction) -> Subject:
@@ -147,9 +139,8 @@ def others(verdict: Verdict, deadline: Deadline = NO_DEADLINE) -> Iterator[Subje
     for seed in range(MAX_ROUNDINGS):
         yield other_rounding(verdict.subject, seed)
     yield from met_within_error(verdict, deadline)
-    if not _fits_floats(verdict):
-        return
-    if verdict.verdict == RESISTED or known_error(verdict.subject).as_given:
+    as_given = known_error(verdict.subject).as_given
+    if _fits_floats(verdict) and (verdict.verdict == RESISTED or as_given):
         bounds, _ = _error_bounds(verdict.subject)
         yield from corners(verdict, bounds, _decider(verdict, deadline))
 
@@ -160,9 +151,8 @@ def met_within_error(verdict: Verdict, deadline: Deadline = NO_DEADLINE) -> Iter
     Raises:
         GraspError: the data were not converted.
     """
-    if not _fits_floats(verdict):
-        return
-    if (subject := meeting(verdict, _decider(verdict, deadline))) is not None:
+    subject = meeting(verdict, _decider(verdict, deadline)) if _fits_floats(verdict) else None
+    if subject is not None:
         yield subject
 
 
@@ -185,22 +175,15 @@ def effort_within(deadline: Deadline) -> Effort:
     return Effort(STEPS_PER_GRASP, max(deadline.remaining, _MIN_SECONDS))
 
 
-def _soon(
-    verdict: Verdict, effort: Effort, subject: Subject, load: RationalVector
-) -> Verdict | None:
-    """Return a verdict that is decided with the effort that is left; else None."""
-    try:
-        other = verdict.again(subject, load, effort)
-    except (OutOfReachError, TimeLimitError):
-        return None
-    return None if other.verdict == OPEN else other
-
-
-def _decider(verdict: Verdict, deadline: Deadline) -> Decide:
-    """Return what decides other data in the same way, each with the effort for one grasp."""
+def _decider(verdict: Verdict, deadline: Deadline, effort: Effort | None = None) -> Decide:
+    """Return what decides other data in the same way, with an effort for all or one for each."""
 
     def decide(subject: Subject, load: RationalVector) -> Verdict | None:
-        return _soon(verdict, effort_within(deadline), subject, load)
+        try:
+            other = verdict.again(subject, load, effort or effort_within(deadline))
+        except (OutOfReachError, TimeLimitError):
+            return None
+        return None if other.verdict == OPEN else other
 
     return decide
 
@@ -231,12 +214,11 @@ def robust(verdict: Verdict, bounds: Bounds, deadline: Deadline = NO_DEADLINE) -
     name, answer = verdict.verdict, partial(Robustness, verdict=verdict.verdict, bounds=bounds)
     if name == OPEN:
         return answer(answer=OPEN)
-    if proof := proof_for_all(verdict, bounds, deadline):
+    # The second is about bounds that leave a load at its limit, such as those of preloads 0.
+    proof = proof_for_all(verdict, bounds, deadline) or standing_proof(verdict, bounds, verdict)
+    if proof is not None:
         return answer(answer=HOLDS, certificate=proof)
     decide = _decider(verdict, deadline)
-    # Bounds that leave a load at its limit, such as those of preloads that are 0.
-    if proof := standing_proof(verdict, bounds, verdict):
-        return answer(answer=HOLDS, certificate=proof)
     for other in corners(verdict, bounds, decide):
         turned = decide(other, verdict.load)
         if turned is not None and turned.verdict != name:

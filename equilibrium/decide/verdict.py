@@ -193,9 +193,8 @@ class Verdict(AboutCaseMixin):
             UndecidedError: that is not known.
         """
         if not self.decided:
-            load = f"the wrench {vector_text(self.load)} is"
-            if isinstance(self.subject, Assembly):
-                load = "the wrenches are"
+            bodies = isinstance(self.subject, Assembly)
+            load = "the wrenches are" if bodies else f"the wrench {vector_text(self.load)} is"
             raise UndecidedError(
                 f"whether {load} resisted is undecided: {self.reason}; ask `verdict` for "
                 "the three answers"
@@ -493,13 +492,13 @@ class Verdict(AboutCaseMixin):
         """
         return self.rounding or robustness.within_error(self)
 
-    def again(self, subject: Subject, load: RationalVector, effort: Effort) -> Verdict:
-        """Decide another question in the same way, with the effort that is left."""
-        return self._decided(replace(self.case, subject=subject, load=load), effort)
-
-    def _decided(self, case: LoadCase, effort: Effort) -> Verdict:
-        engine = engine_of(case.subject, case.max_displacement, case.pyramid)
-        outcome = engine.outcome(case.load, effort)
+    def again(
+        self, subject: Subject, load: RationalVector, effort: Effort, **limits: Any
+    ) -> Verdict:
+        """Decide another question, with the effort that is left and, if given, other limits."""
+        case = replace(self.case, subject=subject, load=load, **limits)
+        engine = engine_of(subject, case.max_displacement, case.pyramid)
+        outcome = engine.outcome(load, effort)
         return Verdict.of(case, engine, outcome, self._deadline).accepted()
 
     @cached_property
@@ -523,9 +522,9 @@ class Verdict(AboutCaseMixin):
         Returns:
             the verdict; "undecided" where the steps do not do.
         """
-        case = replace(self.case, max_displacement=max_displacement)
+        question = self.subject, self.load, robustness.effort_within(self._deadline)
         try:
-            return self._decided(case, robustness.effort_within(self._deadline)).verdict
+            return self.again(*question, max_displacement=max_displacement).verdict
         except (OutOfReachError, TimeLimitError):
             return UNDECIDED
 
