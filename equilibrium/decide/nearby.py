@@ -59,11 +59,9 @@ class _OtherData(ReprMixin):
                 document["holds_within"] = self.inner.to_dict()
         return document
 
-    def _turned_lines(self) -> Iterator[str]:
-        """Yield the other data in lines; nothing without."""
-        if self.turned is None:
-            return
-        for i, c in enumerate(contacts_of(self.turned.subject), 1):
+    def _turned_lines(self, turned: Verdict) -> Iterator[str]:
+        """Yield the other data in lines."""
+        for i, c in enumerate(contacts_of(turned.subject), 1):
             point, normal = (", ".join(number_text(x, 10) for x in v) for v in (c.point, c.normal))
             friction = number_text(c.friction)
             pull = f"  adhesion {number_text(c.adhesion)}" if c.adhesion else ""
@@ -73,7 +71,7 @@ class _OtherData(ReprMixin):
         sizes = ", ".join(f"{k} by {near(x, 2)}" for k, x in self.change.items() if x)
         yield f"    largest changes of one number: {sizes}"
         yield "    found by search: a smaller change may turn it, too"
-        yield from (f"    {line}" for line in self.turned.warnings)
+        yield from (f"    {line}" for line in turned.warnings)
         if self.inner is not None:
             document = self.inner.to_dict()
             yield f"{document['certificate']} for all {read_bounds(document)}: proved"
@@ -112,7 +110,7 @@ class Robustness(_OtherData):
             yield f"for all {self.bounds}: undecided; {reason}"
         else:
             yield f"not for all {self.bounds}: {self.turned.verdict} for"
-            yield from self._turned_lines()
+            yield from self._turned_lines(self.turned)
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -161,13 +159,12 @@ class WithinError(_OtherData):
 
     def lines(self) -> Iterator[str]:
         """Yield the answer in words."""
-        if self.proved:
+        if self.turned is not None:
+            yield f"{DEPENDS}: {self.turned.verdict} for, within the error of the data,"
+            yield from self._turned_lines(self.turned)
+        elif self.proved:
             yield self.words
-            return
-        if self.turned is None:
+        else:
             left = f", {self.open} of them undecided" if self.open else ""
             late = f"; {self.reason}" if self.reason else ""
             yield f"{self.words} ({self.asked} others tried{left}{late})"
-            return
-        yield f"{DEPENDS}: {self.turned.verdict} for, within the error of the data,"
-        yield from self._turned_lines()

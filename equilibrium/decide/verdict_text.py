@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from arrangement.console.number_form import counted, near, number, vector
 from arrangement.numbers.exact import dot
-from equilibrium.certificate.leaves import SpatialLeaf, parts, spatial_leaves, works
+from equilibrium.certificate.leaves import parts, spatial_leaves, works
 from equilibrium.certificate.reading import read_plane
 from equilibrium.model.assembly import Assembly
 from equilibrium.model.contact import pyramid_words
@@ -136,12 +136,15 @@ def _refusal(verdict: Verdict, about: str, path: str | None) -> Iterator[str]:
         yield from piece_lines((), verdict.grasp, verdict.max_displacement)
         yield from _proof_lines(verdict, path)
         return
-    leaves = verdict.verify().leaves
+    leaves, names = verdict.verify().leaves, verdict.grasp.point_names
     where = " in the plane of the contacts" if read_plane(verdict.proof["tree"]) else ""
     yield f"not resisted{about}: proof{where} with {counted(leaves, 'leaf', 'leaves')}"
-    if leaves <= _MOST:
-        for leaf in spatial_leaves(verdict.proof):
-            yield from _leaf_lines(verdict, leaf)
+    for leaf in spatial_leaves(verdict.proof) if leaves <= _MOST else ():
+        states = ", ".join(f"{names[i]} {words}" for i, words in sorted(leaf.states.items()))
+        yield f"  {states or 'for all contact forces'}:"
+        yield f"    on the virtual motion {vector(leaf.motion)} the load does work"
+        work = number(dot(verdict.wrench, leaf.motion))
+        yield f"    {work}, and all contacts together at least {number(leaf.least)}"
 
 
 def _proof_lines(verdict: Verdict, path: str | None) -> Iterator[str]:
@@ -188,15 +191,6 @@ def _cases(closed: list[ClosedPart], names: Sequence[str]) -> dict[str, list[Clo
         words += [f"{names[i]} {state}" for i, state in states]
         cases[f"{', '.join(words)}: " if words else ""] = together
     return cases
-
-
-def _leaf_lines(verdict: Verdict, leaf: SpatialLeaf) -> Iterator[str]:
-    names = verdict.grasp.point_names
-    states = ", ".join(f"{names[i]} {words}" for i, words in sorted(leaf.states.items()))
-    yield f"  {states or 'for all contact forces'}:"
-    yield f"    on the virtual motion {vector(leaf.motion)} the load does work"
-    work = number(dot(verdict.wrench, leaf.motion))
-    yield f"    {work}, and all contacts together at least {number(leaf.least)}"
 
 
 def _body_lines(verdict: Verdict, every: bool | None) -> Iterator[str]:

@@ -32,6 +32,8 @@ from .refutations import are_outside_cones, have_no_equilibria
 _NUMBERS = 2**18
 #: Cones of motions of a question that is not resisted, first few: an open one may have a solution.
 _NODES = 200, 1500
+#: Arrays of answers, by the names of `CheckedGrasps`.
+ANSWERS = ("resisted", "screened", "exact", "undecided")
 #: Where grasps are exactly: themselves, or in float arrays.
 Source: TypeAlias = list[Grasp] | Arrays
 #: A grasp by its number, and its open loads by theirs.
@@ -65,8 +67,7 @@ class CheckedGrasps(ReprMixin):
     @property
     def summary(self) -> str:
         """How many grasps and loads there are, and how many of each answer."""
-        names = "resisted", "screened", "exact", "undecided"
-        counts = ", ".join(f"{np.count_nonzero(getattr(self, name))} {name}" for name in names)
+        counts = ", ".join(f"{np.count_nonzero(getattr(self, name))} {name}" for name in ANSWERS)
         grasps, loads = self.resisted.shape
         many = f"{counted(loads, 'load')} each"
         if not self.asked.all():

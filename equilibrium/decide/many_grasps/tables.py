@@ -31,17 +31,11 @@ from equilibrium.model.grasp import ask_contacts, read_wrench
 from equilibrium.model.labels import AS_ROUNDED
 
 from .arrays import near_float, read_arrays, read_wrenches
-from .check import CheckedGrasps, Source, exact_grasp
+from .check import ANSWERS, CheckedGrasps, Source, exact_grasp
 
 _GRASP = "grasp"
-_AXES = ("x", "y", "z")
-#: Arrays of answers, by the names of `CheckedGrasps`.
-ANSWERS = ("resisted", "screened", "exact", "undecided")
 #: Columns, by the numbers of a wrench.
-_WRENCHES = {
-    3: ("f_x", "f_y", "tau"),
-    6: (*(f"f_{x}" for x in _AXES), *(f"tau_{x}" for x in _AXES)),
-}
+_WRENCHES = {3: ("f_x", "f_y", "tau"), 6: ("f_x", "f_y", "f_z", "tau_x", "tau_y", "tau_z")}
 #: Remarks on grasps that are printed.
 _MOST_REMARKS = 3
 #: The lines of each grasp by its name, with the numbers of the lines.
