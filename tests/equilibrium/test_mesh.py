@@ -207,6 +207,12 @@ REFUSED = {
         ply("0 1 0", "3 0 1 2").replace("float x", "list uchar float x"),
         "no x, y and z",
     ),
+    "twice.ply": (
+        ply("0 1 0 1 7", "3 0 1 2").replace(
+            "element face", "property list uchar float x\nelement face"
+        ),
+        "no x, y and z",
+    ),
 }
 
 

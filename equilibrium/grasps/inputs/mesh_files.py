@@ -200,8 +200,8 @@ def _ply(content: bytes) -> _Buffers:
     for name, count, properties in elements:
         kinds = {key: kind for kind, length, key in properties}
         corners = next((key for key in ("vertex_indices", "vertex_index") if key in kinds), "")
-        single = {key for _, length, key in properties if not length}
-        if name == "vertex" and not {*"xyz"} <= single:
+        lengths = {key: length for _, length, key in properties}
+        if name == "vertex" and any(lengths.get(axis, "list") for axis in "xyz"):
             raise GraspError("its vertices have no x, y and z")
         if name == "face" and kinds.get(corners) in ("f", "d"):
             raise GraspError("its facets have floats for vertices; expected whole numbers")
