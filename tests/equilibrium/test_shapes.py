@@ -350,6 +350,7 @@ class TestPlaces:
             discs = [disc(f"d{k}", *place, 1) for k, place in enumerate(places)]
             found = read_shapes(document(discs), gap="1e-6").found
             assert not any(found.misses)
+            assert list(found.centres) == [entry["name"] for entry in discs]
             assert max(found.moves) < Fraction(1, 10**4)
 
     def test_centres_that_no_rounding_joins_are_reported(self):

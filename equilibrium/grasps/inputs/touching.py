@@ -374,7 +374,7 @@ def _placed(
     for name in reversed(order):
         before = [(placed[x], n) for x, n in neighbours[name].items() if x in placed]
         placed[name] = _on_lines(discs[name], before)
-    return placed
+    return {name: placed[name] for name in discs}
 
 
 def _on_lines(
