@@ -6,7 +6,6 @@ import argparse
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
-from functools import cache
 from importlib import import_module
 from shlex import quote
 from typing import TYPE_CHECKING, Any
@@ -43,7 +42,6 @@ def main(argv: Sequence[str] | None = None) -> int:
     return terminal.run(_parser(), argv)
 
 
-@cache
 def _parser() -> Parser:
     parser = terminal.command_parser(
         "arrangement",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
-from functools import cache
 
 from arrangement.console import terminal
 from arrangement.console.options.parser import Parser
@@ -18,7 +17,6 @@ def main(argv: Sequence[str] | None = None) -> int:
     return terminal.run(_parser(), argv)
 
 
-@cache
 def _parser() -> Parser:
     parser = terminal.command_parser(
         "equilibrium",

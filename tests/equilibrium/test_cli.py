@@ -7,6 +7,7 @@ import pytest
 
 from arrangement.numbers.exact import number_text
 from equilibrium import Contact, Grasp, read_grasp, solve
+from equilibrium.cli import main
 from equilibrium.grasps.inputs.random import random_grasp
 
 THREE = "paper-three-contacts"
@@ -194,3 +195,17 @@ def test_a_table_on_standard_input_is_referred_to_files(refused, monkeypatch):
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(table))
     answer = "standard input is not JSON; tables are read from files"
     assert answer in refused("solve - --weight 1")
+
+
+def test_help_of_views_in_one_process(capsys):
+    helps = []
+    for view in ("slice", "grasp", "slice"):
+        with pytest.raises(SystemExit):
+            main(["draw", "--view", view, "--help"])
+        helps.append(capsys.readouterr().out)
+    assert helps[0] == helps[2] != helps[1]
+
+
+def test_negative_number_without_a_place(refused):
+    error = refused("resisted {} --also -1,0,-0.25 --along 1,1,-1,1/2,-0.25,1/2", THREE)
+    assert error.startswith("error: unexpected argument '-0.25'; ")

@@ -104,8 +104,7 @@ class Parser(argparse.ArgumentParser):
         self.add_lazy_options()
         arguments, rest = super().parse_known_args(list(self._split_numbers(words)), namespace)
         for word in rest:
-            is_option = word.startswith("-")
-            self.error(*(unknown_option if is_option else unexpected)(self, word))
+            self.error(*(unknown_option if is_option(word) else unexpected)(self, word))
         self._refuse_empty(arguments)
         return arguments, rest
 
