@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import re
 from collections.abc import Callable, Sequence
-from functools import cache
 from importlib import import_module
 
 from arrangement.console import terminal
@@ -37,7 +36,6 @@ def main(argv: Sequence[str] | None = None) -> int:
     return terminal.run(_parser(), argv)
 
 
-@cache
 def _parser() -> Parser:
     parser = terminal.command_parser(
         "proofs-check",
