@@ -8,8 +8,9 @@ import zipfile
 import numpy as np
 import pytest
 
+from arrangement.console import terminal
 from equilibrium import GraspError, read_grasp
-from equilibrium.cli.program import main
+from equilibrium.cli import program
 from equilibrium.decide.many_grasps.arrays import near_floats
 from equilibrium.decide.many_grasps.tables import read_grasps
 from equilibrium.grasps.inputs import from_float_data
@@ -67,7 +68,7 @@ def test_arrays_of_one_grasp_are_made_exact(files, run, capsys):
     data = {"points": [[-1, 0.1], [1, 0.1]], "normals": [[0.3, 1], [-3, 0]]}
     np.savez("one.npz", **data, friction=np.float32(0.3))
     for command in ("resisted one.npz", "info one.npz", "draw one.npz -o one.svg"):
-        assert main(command.split()) == 2
+        assert program.main(command.split()) == 2
         line = re.findall(r"`equilibrium (make floats .+?)`", capsys.readouterr().err)[0]
     run(line)
     grasp, direct = read_grasp("one.json"), from_float_data(**data, friction=0.3).grasp
@@ -75,11 +76,11 @@ def test_arrays_of_one_grasp_are_made_exact(files, run, capsys):
     assert grasp.data_error.angle > 0
     np.savez("none.npz", **data)
     for command in ("make floats none.npz", "solve none.npz --weight 1"):
-        assert main(command.split()) == 2
+        assert program.main(command.split()) == 2
         line = re.findall(r"such as numpy[.](savez\(.*\))", capsys.readouterr().err)[0]
     eval(line, {"savez": np.savez, "numpy": np})  # noqa: S307
-    assert main(["make", "floats", "none.npz"]) == 0
-    assert main(["make", "floats", "grasps.npz"]) == 2
+    assert program.main(["make", "floats", "none.npz"]) == 0
+    assert program.main(["make", "floats", "grasps.npz"]) == 2
     assert "points of shape (2, 3, 2); expected (m, 2)" in capsys.readouterr().err
     with pytest.raises(GraspError, match=r"equilibrium make floats one.npz .*read_float_data"):
         read_grasp("one.npz")
@@ -248,10 +249,10 @@ def test_array_larger_than_its_file_refused(files, count, refused):
 @pytest.mark.parametrize("count", [20, pytest.param(2000, marks=pytest.mark.slow)])
 def test_damaged_archives_are_bad_input(count, files, capsys):
     np.savez_compressed("whole.npz", **ARRAYS)
-    kinds = len(HEADERS) + 4
+    kinds, parser = len(HEADERS) + 4, program._parser()
     for number, content in enumerate(mutants((files / "whole.npz").read_bytes(), count, 1)):
         (files / "damaged.npz").write_bytes(content)
-        code = main(["solve", "damaged.npz", "--weight", "1"])
+        code = terminal.run(parser, ["solve", "damaged.npz", "--weight", "1"])
         assert code == 2 or (number >= kinds and code in (0, 1)), number
         if code == 2:
             message = capsys.readouterr().err
