@@ -270,9 +270,11 @@ class Programs:
         frame, acts, plain = self._frames[i], self._acts[i], len(table) - in_round
         (f, n), count = frame.shape, forces.shape[1]
         ends = np.array(self._cones.ends(state), dtype=float).reshape(-1, f - 1)
-        # Directions have longer integers the narrower their sector is, and so have rows of slip: an
-        # error of the program is one beside the width of the sector.
-        ends /= lengths(ends)[:, None]
+        if len(ends):
+            # Directions of slip have integers of any size.
+            ends /= lengths(ends)[:, None]
+            moved = ~table[:, :count].any(axis=1)
+            table[moved] /= np.abs(table[moved]).max(axis=1, keepdims=True)
         values = self._values[i].copy()
         values[0] *= [*[hardness] * n, pressure]
         values[-1, -1] = most

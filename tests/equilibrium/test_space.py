@@ -594,20 +594,6 @@ def test_what_floats_leave_open_is_decided(kind, seed):
     assert decided(kind, [seed]) == 1
 
 
-@pytest.mark.parametrize("load", [(49, -36, 25, -45, -2, -56), (48, -37, 24, -44, -2, -56)])
-@pytest.mark.parametrize("digits", [6, 9])
-def test_contact_with_almost_no_friction_is_decided(digits, load):
-    """Sectors of slip are cut until they are narrow, and programs see their width."""
-    contacts = [
-        (("1/3", "-2/3", -1), (0, 0, 1), "4/3", "3/4"),
-        ((1, "-3/4", 0), (-1, 0, 0), "4/3", "3/2"),
-        (("4/3", "1/3", -1), (0, 0, 1), 1, "3/2"),
-        (("-1/3", 1, 0), (0, -1, 0), Fraction(1, 10**digits), "3/2"),
-    ]
-    grasp = Grasp(Contact(p, n, friction, preload=preload) for p, n, friction, preload in contacts)
-    assert verdict(grasp, [Fraction(x, 64) for x in load]) == "resisted"
-
-
 #: Contacts, seed and load close to the limit: motions are far, or directions of slip known to 1e-3.
 NEAR_LIMITS = [
     (5, 31, "-213/512 759/512 281/1024 -39/1024 -417/512 135/1024"),
