@@ -56,7 +56,7 @@ class Parser(argparse.ArgumentParser):
 
     Attributes:
         lazy_options: adds the options that take time to find out.
-        variadic: options that take at least so many numbers, or more.
+        variadic: options that take more numbers where more follow, each with the least number.
         arguments: the words that are parsed.
         strays: patterns of words for which there is no place, each with what to write, in which
             ``{}`` stands for the word.
